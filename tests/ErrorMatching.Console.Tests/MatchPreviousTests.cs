@@ -13,7 +13,9 @@ public sealed class MatchPreviousTests
         var job = First(folder);
 
         var second = Shell.Json(
-            0, "errormatch/match/1", [.. Second(folder, job, "out/report.json"), "--out", folder["second"]]);
+            0,
+            "errormatch/match/1",
+            [.. Second(folder, job, "out/report.json"), "--out", folder["second"], "--accept", "outside-limits"]);
 
         var lot = second.GetProperty("lot");
         Assert.Equal(2, lot.GetProperty("pieces").GetArrayLength());
@@ -44,7 +46,9 @@ public sealed class MatchPreviousTests
             "--program",
             folder["second/counterpart.nc"],
             "--previous",
-            folder["second/report.json"]);
+            folder["second/report.json"],
+            "--accept",
+            "outside-limits");
         Assert.Equal(3, third.GetProperty("lot").GetProperty("pieces").GetArrayLength());
     }
 
@@ -107,7 +111,10 @@ public sealed class MatchPreviousTests
         var job = folder.File(
             "job.json", text.Replace("\"from\": \"part\"", "\"from\": \"counterpart\"", StringComparison.Ordinal)
                 .Replace("\"mapMm\": 0.5", "\"mapMm\": 3", StringComparison.Ordinal));
-        Shell.Json(0, "errormatch/match/1", "match", job, "--counterpart", folder["counterpart.csv"], "--out", folder["out"]);
+        Shell.Json(
+            0,
+            "errormatch/match/1",
+            ["match", job, "--counterpart", folder["counterpart.csv"], "--out", folder["out"], "--accept", "outside-limits"]);
         return job;
     }
 }

@@ -69,7 +69,7 @@ public sealed class SurfaceToleranceTests
         var compensated = Shell.Run(["surface", "compensate", .. arguments]);
         var displaced = Shell.Run(
             ["surface", "displace", .. arguments, "--program", Repository.PathTo("samples", "surface-one", "cam.nc")]);
-        Assert.Equal((0, 0), (compensated.Exit, displaced.Exit));
+        Assert.Equal(width == "0.004" ? (2, 2) : (0, 0), (compensated.Exit, displaced.Exit));
         var line = compensated.Output.Split('\n')[0];
         Assert.StartsWith(start, line, StringComparison.Ordinal);
         Assert.Contains(contained, line, StringComparison.Ordinal);

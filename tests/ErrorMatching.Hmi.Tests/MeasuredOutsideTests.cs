@@ -16,7 +16,8 @@ public sealed class MeasuredOutsideTests
         CutAndMeasure(seat, 1);
         seat.SignIn(DemoCell.Operator).See("measured-2");
         var overview = (OverviewViewModel)seat.Shell.Current!;
-        var verdict = PieceDetail.VerdictOf(seat.Station.Outside.Single());
+        var piece = seat.Station.Outside.Single();
+        var (verdict, detailed) = (PieceDetail.VerdictOf(piece), VerifyVerdictText.Of(piece.Verdict!));
         Assert.Matches("^[0-9]+ points outside their limits: .*4.*\\.$", verdict);
         Assert.Equal(("Counterparts measured outside their limits: 1", Severity.Attention), (overview.Summary, overview.Severity));
         Assert.Equal(
@@ -28,7 +29,7 @@ public sealed class MeasuredOutsideTests
             "#2 · 0001 was measured: " + verdict, seat.See("message-2").GetVisualDescendants().OfType<TextBlock>().Select(t => t.Text));
         seat.Tap("message-2").See("piece-title");
         Assert.Equal(
-            (ScreenKeys.Verification, "#1 · 0001", verdict),
+            (ScreenKeys.Verification, "#1 · 0001", detailed),
             (seat.Shell.Chosen!.Screen.Key, seat.TextOf("piece-title"), seat.TextOf("piece-verdict")));
         BothLanguages.Take(seat, "verification-measured-outside");
         seat.Tap("nav-overview").See("overview-summary");

@@ -99,7 +99,14 @@ internal sealed class MatingCorrection
     {
         var json = VerifyReportJson.Write(report);
         var page = ReportPages.Of(json);
-        return new(basis, CorrectionCodes.FirstArticle, Recorded.FirstArticle.With())
+        Statement[] verdict = report.Verdict switch
+        {
+            { Code: VerifyCode.Outside } v =>
+                [Recorded.VerifiedOutside.With(v.Outside.Count, v.Points, ReportNames.Of(v.Outside))],
+            { Code: VerifyCode.Within } v => [Recorded.VerifiedWithin.With(v.Within, v.Points)],
+            _ => [],
+        };
+        return new(basis, CorrectionCodes.FirstArticle, Statement.InARow([Recorded.FirstArticle.With(), .. verdict]))
         {
             Report = json,
             Page = page ?? VerifyReportHtml.Write(report),

@@ -20,7 +20,7 @@ internal sealed class ProposeWorker(CellFlow flow)
             {
                 try
                 {
-                    ApproveByPolicy(proposed);
+                    ApproveByPolicy(proposed, IsToCut(proposed));
                 }
                 catch (StoreException e) when (e.Error == StoreError.Tampered)
                 {
@@ -79,17 +79,31 @@ internal sealed class ProposeWorker(CellFlow flow)
             Supersede(older, computed);
         }
 
-        ApproveByPolicy(flow.Step(computed, CorrectionState.Proposed, Basis(computed)));
+        var isToCut = IsToCut(computed);
+        var basis = isToCut ? Basis(computed) : Statement.InARow(Recorded.NotToCut.With(), Basis(computed));
+        ApproveByPolicy(flow.Step(computed, CorrectionState.Proposed, basis), isToCut);
     }
 
-    private void ApproveByPolicy(Correction proposed)
+    private void ApproveByPolicy(Correction proposed, bool isToCut)
     {
         // The limits may have become tighter since it was computed: then a person decides.
-        if (flow.PolicyOf(proposed) is { Automatic: true } policy && IsWithin(proposed, policy))
+        if (isToCut && flow.PolicyOf(proposed) is { Automatic: true } policy && IsWithin(proposed, policy))
         {
             flow.Step(
                 proposed, CorrectionState.Approved, policy.LimitMm is { } mm ? Recorded.PolicyWithin.With(mm) : Recorded.Policy.With());
         }
+    }
+
+    // False if the verdict says not to cut, and nobody is asked anyway. A report without a verdict leaves it to the limits.
+    private bool IsToCut(Correction correction)
+    {
+        if (correction.ReportSha256 is not { } report || flow.PolicyOf(correction) is not { Automatic: true })
+        {
+            return true;
+        }
+
+        var verdict = ReportReader.Document(flow.Store.Content(report)).OptionalObject("verdict");
+        return (verdict?.OptionalFlag("cut") ?? verdict?.OptionalFlag("inTolerance")) != false;
     }
 
     private static bool IsWithin(Correction proposed, PolicySettings policy) =>

@@ -33,6 +33,7 @@ public static class Recorded
         "displaced-in-sum", "displaced by at most {0:0.0000} mm, {1:0.0000} mm since the original");
     internal static readonly SentenceForm Displaced = new("displaced", "displaced by at most {0:0.0000} mm");
     internal static readonly SentenceForm Computed = new("computed", "computed");
+    internal static readonly SentenceForm NotToCut = new("not-to-cut", "Its verdict does not say to cut it: a person decides.");
     internal static readonly SentenceForm AtPointAndBeside = new("at-point-and-beside", "point {0} and beside it");
     internal static readonly SentenceForm PolicyWithin = new("policy-within", "policy: automatic within {0} mm");
     internal static readonly SentenceForm Policy = new("policy", "policy: automatic");
@@ -46,6 +47,10 @@ public static class Recorded
         "Its job was changed after it was made: correction {0:0} computes the measurement anew, with the job as it is now.");
     internal static readonly SentenceForm FirstArticle = new(
         "first-article", "A counterpart is measured: this verifies what was sent, and sends nothing.");
+    internal static readonly SentenceForm VerifiedWithin = new(
+        "verified-within", "{0:0} of {1:0} points are within their limits.");
+    internal static readonly SentenceForm VerifiedOutside = new(
+        "verified-outside", "{0:0} of {1:0} points are outside their limits: {2}.");
     internal static readonly SentenceForm NotCompared = new(
         "not-compared", "It was compared with nothing, for no program was sent for a part of its number.");
     internal static readonly SentenceForm NotComparable = new("not-comparable", "It could not be compared with its part: {0}");

@@ -2,6 +2,7 @@ using ErrorMatching.Geometry;
 using ErrorMatching.Jobs;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Console;
 
@@ -46,6 +47,24 @@ internal static class FailureOf
     /// <param name="refusals">The reasons.</param>
     public static Failure Refused(string job, string program, IReadOnlyList<Refusal> refusals) =>
         new(ExitCode.Refused, InputRefusals.Of(refusals, job, program));
+
+    /// <summary>A program that is withheld because of its verdict; null if it is not.</summary>
+    /// <param name="acceptance">What became of it.</param>
+    /// <param name="verdict">The verdict in a sentence.</param>
+    /// <param name="job">The job.</param>
+    /// <param name="targets">The files that are not written. Some may be there from an earlier run.</param>
+    /// <param name="inputs">The files that were read, which are no results of an earlier run.</param>
+    public static Failure? NotToCut(
+        Acceptance acceptance, string verdict, string job, IEnumerable<string> targets, IEnumerable<string> inputs)
+    {
+        string[] read = [.. inputs.Select(Path.GetFullPath)];
+        return !acceptance.IsWithheld ? null : new(ExitCode.Refused, [
+            new Refusal("not-to-cut", $"{verdict} {acceptance.Sentence}", new() { File = job }),
+            .. targets.Where(t => File.Exists(t) && !read.Contains(Path.GetFullPath(t))).Select(t => new Refusal(
+                "earlier-result",
+                "was there before this run and stays as it is: it is not the result of this run.",
+                new() { File = t }))]);
+    }
 
     /// <summary>An output that cannot be written, or must not be.</summary>
     public static Failure Output(OutputException e) =>

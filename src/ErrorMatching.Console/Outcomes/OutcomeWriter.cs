@@ -80,6 +80,28 @@ internal static class OutcomeWriter
         }
     }
 
+    /// <summary>A document with <c>exit</c> and <c>errors</c> after its schema, if its result must not be used.</summary>
+    /// <param name="document">The document.</param>
+    /// <param name="failure">Why not; null if it may be used.</param>
+    public static byte[] WithErrors(byte[] document, Failure? failure)
+    {
+        if (failure is null)
+        {
+            return document;
+        }
+
+        using var parsed = JsonDocument.Parse(document);
+        var root = parsed.RootElement;
+        return Json(root.GetProperty("schema").GetString()!, json =>
+        {
+            WriteErrors(json, failure);
+            foreach (var member in root.EnumerateObject().Skip(1))
+            {
+                member.WriteTo(json);
+            }
+        });
+    }
+
     /// <summary>Writes the members <c>exit</c> and <c>errors</c>.</summary>
     public static void WriteErrors(Utf8JsonWriter json, Failure failure)
     {

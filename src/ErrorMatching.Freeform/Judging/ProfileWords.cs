@@ -15,6 +15,16 @@ public static class ProfileWords
         _ => "outside",
     };
 
+    /// <summary>The verdicts on a compensation that may be accepted, by their codes.</summary>
+    public static IReadOnlyList<string> Acceptable { get; } =
+        [.. Enum.GetValues<ProfileCode>().Where(c => c != ProfileCode.Within).Select(Of)];
+
+    /// <summary>What becomes of a program by its verdict.</summary>
+    /// <param name="verdict">The verdict; null if the job states no tolerance.</param>
+    /// <param name="accepted">The codes that are accepted, or <see cref="Acceptance.Any"/>.</param>
+    public static Acceptance Obey(SurfaceVerdict? verdict, IReadOnlyCollection<string> accepted) =>
+        verdict is null ? Acceptance.None : Acceptance.Of(Of(verdict.Predicted.Code), verdict.IsToCut, accepted);
+
     /// <summary>The verdict on a compensation in words: what is expected, what was measured, and when not to cut.</summary>
     /// <param name="verdict">The verdict.</param>
     public static string Of(SurfaceVerdict verdict)

@@ -10,10 +10,14 @@ namespace ErrorMatching.Freeform;
 /// <param name="Predicted">The surface as expected.</param>
 public sealed record SurfaceVerdict(ProfileTolerance Tolerance, ProfileJudgement Before, ProfileJudgement Predicted)
 {
+    /// <summary>True if it says to cut; false if somebody has to decide first.</summary>
+    public bool IsToCut => Predicted.IsWithin;
+
     /// <summary>Writes it into the open object.</summary>
     internal void Write(ReportWriter json)
     {
         json.Text("code", ProfileWords.Of(Predicted.Code));
+        json.Flag("cut", IsToCut);
         json.Flag("inTolerance", Predicted.IsWithin);
         Write(json, Tolerance);
         json.Object("before", () => Before.Write(json));

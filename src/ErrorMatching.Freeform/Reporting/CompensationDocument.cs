@@ -18,6 +18,9 @@ public sealed record CompensationDocument
     /// <summary>What was measured, compensated and predicted.</summary>
     public required SurfaceFindings Findings { get; init; }
 
+    /// <summary>What became of a program that the verdict says not to cut.</summary>
+    public Acceptance Acceptance { get; init; } = Acceptance.None;
+
     /// <summary>The tool path for the compensated surface.</summary>
     public required ToolPathFigures ToolPath { get; init; }
 
@@ -48,6 +51,7 @@ public sealed record CompensationDocument
             Job = report.Job,
             Inputs = report.Inputs,
             Findings = SurfaceFindings.Of(report.Result, report.CutBy),
+            Acceptance = report.Acceptance,
             ToolPath = ToolPathFigures.Of(report.ToolPath),
             ProgramFile = report.Program.File,
             ProgramSha256 = report.Program.Sha256,
@@ -64,6 +68,7 @@ public sealed record CompensationDocument
         json.Job("freeform", Job);
         json.Inputs(Inputs);
         Findings.Write(json);
+        Acceptance.Write(json);
         json.Object("toolpath", () => ToolPath.Write(json));
         json.Object("program", () =>
         {
@@ -97,6 +102,7 @@ public sealed record CompensationDocument
             Job = document.Job(),
             Inputs = document.Inputs(),
             Findings = findings,
+            Acceptance = Acceptance.Read(document),
             ToolPath = ToolPathFigures.Read(document.Object("toolpath")),
             ProgramFile = program.Text("file"),
             ProgramSha256 = program.Text("sha256"),

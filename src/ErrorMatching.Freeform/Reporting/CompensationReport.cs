@@ -27,6 +27,9 @@ public sealed record CompensationReport(
     /// <summary>The verdict by the job's profile tolerance, calculated at each call; null if the job states none.</summary>
     public SurfaceVerdict? Verdict => Result.Verdict();
 
+    /// <summary>What became of a program that the verdict says not to cut.</summary>
+    public Acceptance Acceptance { get; init; } = Acceptance.None;
+
     /// <summary>The program that cut the measured piece, if known.</summary>
     public MeasuredPieceProgram CutBy { get; init; } = new(null, null);
 }

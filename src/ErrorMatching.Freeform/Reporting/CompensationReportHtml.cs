@@ -46,7 +46,7 @@ public static class CompensationReportHtml
                         ("--cut-by", "cut-by"),
                         ("--previous", "previous"), ("--earlier", "earlier"))),
             ],
-            html => ProfileLead.Write(html, report.Result, report.Verdict, report.CallsTool));
+            html => ProfileLead.Write(html, report.Result, report.Verdict, report.CallsTool, report.Acceptance));
     }
 
     private static void WriteSummary(HtmlText html, CompensationReport report)
@@ -61,11 +61,12 @@ public static class CompensationReportHtml
         }
 
         // A check mark next to an alarm would suggest cutting.
-        var isReady = report.CallsTool && result.LargestMoveMm > 0;
+        var isReady = report.CallsTool && result.LargestMoveMm > 0 && !report.Acceptance.IsWithheld;
         using (html.In("p", ("class", isReady ? "verdict holds" : "verdict fails")))
         {
             var moved = $"a surface that is moved by at most {Micrometres.OfMm(result.LargestMoveMm)} µm.";
             html.Put("strong", isReady ? $"✓ {report.Program.File} cuts {moved}"
+                : report.Acceptance.IsWithheld ? $"○ No program is written. It would cut {moved}"
                 : result.LargestMoveMm > 0 ? $"○ Once the tool call is in, it cuts {moved}"
                 : "○ Nothing is compensated: the finishing program cuts the nominal surface.");
             html.Text($" Expected: standard deviation {Micrometres.OfMm(before.StandardDeviationMm)} µm becomes "

@@ -24,6 +24,9 @@ public sealed record DisplacementReport(
     /// <summary>The verdict by the job's profile tolerance, calculated at each call; null if the job states none.</summary>
     public SurfaceVerdict? Verdict => Compensation.Verdict();
 
+    /// <summary>What became of a program that the verdict says not to cut.</summary>
+    public Acceptance Acceptance { get; init; } = Acceptance.None;
+
     /// <summary>The program that cut the measured piece, if known.</summary>
     public MeasuredPieceProgram CutBy { get; init; } = new(null, null);
 

@@ -31,7 +31,7 @@ public static class DisplacementReportHtml
                     ("--previous", "previous"), ("--earlier", "earlier"),
                     ("--program", "program"))),
         ],
-        html => ProfileLead.Write(html, report.Compensation, report.Verdict, isReady: true));
+        html => ProfileLead.Write(html, report.Compensation, report.Verdict, isReady: true, report.Acceptance));
 
     private static void WriteSummary(HtmlText html, DisplacementReport report)
     {

@@ -46,14 +46,16 @@ public static class ProfileLead
     /// <param name="result">The compensation.</param>
     /// <param name="verdict">Its verdict; null if the job states no tolerance.</param>
     /// <param name="isReady">True if the program can be run as it is.</param>
-    internal static void Write(HtmlText html, CompensationResult result, SurfaceVerdict? verdict, bool isReady) =>
-        Write(html, verdict?.Predicted.IsWithin, isReady, Of(result, verdict, isReady), result.Warnings.Count);
+    /// <param name="acceptance">What became of the program.</param>
+    internal static void Write(
+        HtmlText html, CompensationResult result, SurfaceVerdict? verdict, bool isReady, Acceptance acceptance) =>
+        Write(html, verdict?.IsToCut, isReady, Of(result, verdict, isReady), result.Warnings.Count, acceptance.Sentence);
 
     /// <summary>Writes the verdict on measured pieces.</summary>
     internal static void Write(HtmlText html, EvaluationReport report) =>
         Write(html, report.IsInTolerance, true, Of(report), report.Pieces.Sum(p => p.Warnings.Count));
 
-    private static void Write(HtmlText html, bool? isWithin, bool isReady, string words, int warnings)
+    private static void Write(HtmlText html, bool? isWithin, bool isReady, string words, int warnings, string? more = null)
     {
         // A check mark on a program that stops with an alarm would suggest cutting.
         var (look, mark) = isWithin switch
@@ -65,6 +67,11 @@ public static class ProfileLead
         using (html.In("p", ("id", "verdict"), ("class", look)))
         {
             html.Put("strong", mark + words);
+            if (more is not null)
+            {
+                html.Text($" {more} ");
+            }
+
             if (warnings > 0)
             {
                 html.Put(

@@ -49,6 +49,9 @@ public sealed record StoredPiece(
     /// <summary>That of the largest error with compensation; null if it is not known.</summary>
     public double? LargestInterval95Mm => Interval95Mm(Result.WorstAfter.Label);
 
+    /// <summary>The verdict on the counterpart that was measured; null while the result is predicted.</summary>
+    public VerifyVerdict? Verdict { get; init; }
+
     /// <summary>The counterpart that the errors without compensation are based on; null if its nominal shape is used.</summary>
     public ReportInput? Before { get; init; }
 
@@ -82,6 +85,10 @@ public sealed record StoredPiece(
     public static StoredPiece Measured(Correction correction, Correction counterpart, VerifyReport report)
     {
         ArgumentNullException.ThrowIfNull(report);
-        return new(correction, counterpart, report.Job.Name, report.Result, report.IsBeforeMeasured) { Before = report.Before };
+        return new(correction, counterpart, report.Job.Name, report.Result, report.IsBeforeMeasured)
+        {
+            Before = report.Before,
+            Verdict = report.Verdict,
+        };
     }
 }

@@ -109,7 +109,8 @@ internal static class MatchVerdictText
         ? Texts.Current.With("Pair.Limits", Band(limits))
         : Texts.Current[points == 1 ? "Pair.OwnLimitsOne" : "Pair.OwnLimits"];
 
-    private static string Band(ToleranceBand band) => band.LowerMm == -band.UpperMm
+    /// <summary>Limits in a sentence.</summary>
+    internal static string Band(ToleranceBand band) => band.LowerMm == -band.UpperMm
         ? "±" + Short(band.UpperMm)
         : Texts.Current.With("Pair.Band", Sided(band.LowerMm), Sided(band.UpperMm));
 
@@ -118,7 +119,8 @@ internal static class MatchVerdictText
     // All digits of a limit, with the minus sign of the station.
     private static string Short(double mm) => ReportNumber.Short(mm).Replace('-', '−');
 
-    private static string Size(ErrorLeft error) => Shown.MmAsKnown(error.MatingErrorMm, error.Interval95Mm);
+    /// <summary>The size of an error with its interval.</summary>
+    internal static string Size(ErrorLeft error) => Shown.MmAsKnown(error.MatingErrorMm, error.Interval95Mm);
 
     private static string Signed(ErrorLeft error) => Shown.SignedMm(error.MatingErrorMm, error.Interval95Mm);
 }

@@ -45,6 +45,9 @@ public sealed record DisplacementDocument
     /// <summary>What was measured, compensated and predicted.</summary>
     public required SurfaceFindings Findings { get; init; }
 
+    /// <summary>What became of a program that the verdict says not to cut.</summary>
+    public Acceptance Acceptance { get; init; } = Acceptance.None;
+
     /// <summary>Warnings, in sentences.</summary>
     public required IReadOnlyList<ReportWarning> Warnings { get; init; }
 
@@ -76,6 +79,7 @@ public sealed record DisplacementDocument
                 proof.MaxDeviationFromWantedMm,
                 proof.UntouchedBytesIdentical),
             Findings = SurfaceFindings.Of(report.Compensation, report.CutBy),
+            Acceptance = report.Acceptance,
             Warnings = report.Compensation.Warnings,
             Notes = report.Compensation.Notes,
         };
@@ -105,6 +109,7 @@ public sealed record DisplacementDocument
             ChangedWords = document.Count("changedWords"),
             Proof = ReportProof.Read(document.Object("proof")),
             Findings = findings,
+            Acceptance = Acceptance.Read(document),
             Warnings = document.Warnings(),
             Notes = document.Texts("notes"),
         };
@@ -131,6 +136,7 @@ public sealed record DisplacementDocument
             json.Flag("untouchedBytesIdentical", Proof.UntouchedBytesIdentical);
         });
         Findings.Write(json);
+        Acceptance.Write(json);
         json.Warnings(Warnings);
         json.Texts("notes", Notes);
     }

@@ -1,4 +1,5 @@
 using ErrorMatching.Mating;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Jobs;
 
@@ -12,6 +13,31 @@ public sealed record MatchedProgram(MatchResult Match, MatchReport Report)
 
     /// <summary>The bytes of the program to cut.</summary>
     public ReadOnlyMemory<byte> Program => Match.Program;
+
+    /// <summary>The verdicts that may be accepted, by their codes.</summary>
+    public static IReadOnlyList<string> Acceptable { get; } = [
+        .. Enum.GetValues<VerdictCode>()
+            .Where(c => c is not (VerdictCode.Within or VerdictCode.NoLimits or VerdictCode.ProofFails))
+            .Select(ReportWords.Of)];
+
+    /// <summary>The same with a program that is withheld if its verdict says not to cut it and is not accepted: then the report names no
+    /// folder of the program.</summary>
+    /// <param name="accepted">The codes that are accepted, or <see cref="Acceptance.Any"/>.</param>
+    public MatchedProgram Obey(IReadOnlyCollection<string> accepted)
+    {
+        var acceptance = Acceptance.Of(ReportWords.Of(Report.Verdict.Code), Report.Verdict.IsToCut, accepted);
+        var report = Report with { Acceptance = acceptance };
+        return this with
+        {
+            Report = !acceptance.IsWithheld ? report : report with
+            {
+                Program = report.Program with { File = Name },
+                Correction = report.Correction is { File: { } file } correction
+                    ? correction with { File = Path.GetFileName(file) }
+                    : report.Correction,
+            },
+        };
+    }
 
     /// <summary>The report as <c>report.json</c>.</summary>
     public byte[] ReportJson() => MatchReportJson.Write(Report);

@@ -57,6 +57,9 @@ public sealed record MatchReport
     /// <summary>The verdict on the pair.</summary>
     public MatchVerdict Verdict => MatchVerdict.Of(this);
 
+    /// <summary>What became of a program that the verdict says not to cut.</summary>
+    public Acceptance Acceptance { get; init; } = Acceptance.None;
+
     /// <summary>The program that was written.</summary>
     public required ReportProgram Program { get; init; }
 
@@ -80,6 +83,9 @@ public sealed record MatchReport
 
     /// <summary>Additional information.</summary>
     public IReadOnlyList<string> Notes { get; init; } = [];
+
+    /// <summary>The files that are cut with: the program of the offsets, if there is one, and the program.</summary>
+    public IReadOnlyList<string> Targets => [.. Correction?.File is { } offsets ? [offsets] : Array.Empty<string>(), Program.File];
 
     /// <summary>True if the program is the original, byte for byte.</summary>
     public bool IsUnchanged => Program.ChangedBlocks == 0 && Proof.Marker is null;

@@ -1,4 +1,3 @@
-using ErrorMatching.Geometry;
 using ErrorMatching.Measurement;
 using ErrorMatching.Reporting;
 
@@ -19,13 +18,14 @@ public static class MatchReportJson
         return ReportWriter.Document(Schema, w =>
         {
             w.Object("verdict", () => report.Verdict.Write(w));
+            report.Acceptance.Write(w);
             w.Job("mating", report.Job);
             w.Inputs(report.Inputs);
             w.Object("alignment", () => WriteAlignments(w, report.Alignments));
             w.Optional("originCheck", report.OriginCheck, c => WriteOriginCheck(w, c));
             w.Texts("without", report.Without);
             w.Object("compensation", () => WriteCompensation(w, report.Compensation));
-            w.Optional("decisionRule", report.Rule, r => WriteRule(w, r));
+            RuleWords.Write(w, report.Rule);
             w.Number("probabilityBefore", report.ProbabilityBefore);
             w.Number("probabilityAfter", report.ProbabilityAfter);
             w.Object("uncertainty", () => WriteUncertainty(w, report.Uncertainty));
@@ -60,12 +60,13 @@ public static class MatchReportJson
         var (pieces, next) = LotJson.Read(document);
         return new()
         {
+            Acceptance = Acceptance.Read(document),
             Job = document.Job(),
             Inputs = document.Inputs(),
             Alignments = ReadAlignments(document.Object("alignment")),
             OriginCheck = document.OptionalObject("originCheck") is { } check ? ReadOriginCheck(check) : null,
             Compensation = ReadCompensation(document.Object("compensation")),
-            Rule = document.OptionalObject("decisionRule") is { } rule ? ReadRule(rule) : null,
+            Rule = RuleWords.Read(document),
             ProbabilityBefore = document.OptionalNumber("probabilityBefore"),
             ProbabilityAfter = document.OptionalNumber("probabilityAfter"),
             Trust = document.OptionalObject("verdict") is { } verdict ? MeasurementTrust.Read(verdict) : null,
@@ -153,19 +154,6 @@ public static class MatchReportJson
         r.Word<CompensationAmount>("amount", ReportWords.Of),
         r.Word<CompensationDirection>("along", ReportWords.Of),
         r.Number("limitMm"));
-
-    private static void WriteRule(ReportWriter w, DecisionRule rule)
-    {
-        w.Text("rule", ReportWords.Of(rule));
-        w.Number("riskPercent", rule.RiskPercent);
-    }
-
-    private static DecisionRule ReadRule(ReportReader r) => r.OptionalNumber("riskPercent") switch
-    {
-        null => DecisionRule.Simple,
-        >= 0.01 and <= 50 and var risk => DecisionRule.GuardBand(risk),
-        _ => throw r.Refusal("riskPercent", "number-out-of-range", "a number from 0.01 to 50"),
-    };
 
     private static void WriteUncertainty(ReportWriter w, UncertaintyBudget budget)
     {

@@ -1,3 +1,4 @@
+using ErrorMatching.Geometry;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
@@ -35,6 +36,23 @@ public static class RuleWords
             yield return $"Risk of leaving a point outside its limits: {string.Join(", ", risks)}.";
         }
     }
+
+    /// <summary>Writes the member <c>decisionRule</c> into the open object.</summary>
+    internal static void Write(ReportWriter w, DecisionRule? rule) => w.Optional("decisionRule", rule, r =>
+    {
+        w.Text("rule", ReportWords.Of(r));
+        w.Number("riskPercent", r.RiskPercent);
+    });
+
+    /// <summary>Reads that member; null in reports older than decision rules.</summary>
+    internal static DecisionRule? Read(ReportReader document) => document.OptionalObject("decisionRule") is not { } rule
+        ? null
+        : rule.OptionalNumber("riskPercent") switch
+        {
+            null => DecisionRule.Simple,
+            >= 0.01 and <= 50 and var risk => DecisionRule.GuardBand(risk),
+            _ => throw rule.Refusal("riskPercent", "number-out-of-range", "a number from 0.01 to 50"),
+        };
 
     /// <summary>The probability that a point of a feature is outside its limits without compensation; null if it is not known.</summary>
     internal static string? Risk(ReportFeature feature) =>

@@ -139,7 +139,8 @@ public static class VerdictWords
     private static string Limits(MatchVerdict verdict, int points) =>
         verdict.Limits is { } limits ? Band(limits) : points == 1 ? "its limits" : "their limits";
 
-    private static string Band(ToleranceBand band) => band.LowerMm == -band.UpperMm
+    /// <summary>Limits in a sentence: <c>±0.05</c>, or from one to the other.</summary>
+    internal static string Band(ToleranceBand band) => band.LowerMm == -band.UpperMm
         ? "±" + Limit(band.UpperMm)
         : $"{Sided(band.LowerMm)} to {Sided(band.UpperMm)}";
 
@@ -148,15 +149,18 @@ public static class VerdictWords
     // A limit by a tolerance chain has digits without end.
     private static string Limit(double mm) => ReportNumber.Short(Math.Round(mm, 4));
 
-    private static string Size(ErrorLeft error) => Size(error.MatingErrorMm, error.Interval95Mm);
+    /// <summary>The size of an error with its interval, without unit.</summary>
+    internal static string Size(ErrorLeft error) => Size(error.MatingErrorMm, error.Interval95Mm);
 
-    // Two digits of the interval: an error is not known better.
-    private static string Size(double mm, double? interval)
+    /// <summary>The size of a length with its interval, without unit.</summary>
+    internal static string Size(double mm, double? interval)
     {
+        // Two digits of the interval: an error is not known better.
         var format = interval is < 0.00995 ? "0.0000" : "0.000";
         return Math.Abs(mm).ToString(format, CultureInfo.InvariantCulture)
             + (interval is { } half ? " ± " + half.ToString(format, CultureInfo.InvariantCulture) : "");
     }
 
-    private static string Points(IReadOnlyList<string> labels) => (labels.Count == 1 ? "point " : "points ") + ReportNames.Of(labels);
+    /// <summary>Points by their labels.</summary>
+    internal static string Points(IReadOnlyList<string> labels) => (labels.Count == 1 ? "point " : "points ") + ReportNames.Of(labels);
 }

@@ -17,8 +17,11 @@ public static class VerifyReportJson
         ArgumentNullException.ThrowIfNull(report);
         return ReportWriter.Document(Schema, w =>
         {
+            w.Object("verdict", () => report.Verdict.Write(w));
             w.Job("mating", report.Job);
             w.Inputs(report.Inputs);
+            RuleWords.Write(w, report.Rule);
+            w.Number("uncertaintyMm", report.UncertaintyMm);
             w.List("points", report.Result.Points, p => WritePoint(w, p));
             w.List("features", report.Result.Features, f => WriteFeature(w, f));
             w.Flag("beforeMeasured", report.IsBeforeMeasured);
@@ -49,6 +52,8 @@ public static class VerifyReportJson
             document.Texts("warnings"))
         {
             IsBeforeMeasured = document.Flag("beforeMeasured"),
+            UncertaintyMm = document.OptionalNumber("uncertaintyMm"),
+            Rule = RuleWords.Read(document),
         };
     }
 

@@ -1,3 +1,4 @@
+using ErrorMatching.Geometry;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
@@ -12,6 +13,16 @@ public sealed record VerifyReport(
 {
     /// <summary>True if the counterpart before was measured; false if the designed one is used.</summary>
     public bool IsBeforeMeasured { get; init; } = true;
+
+    /// <summary>Standard uncertainty of a mating error along its normal, which two measurements make; null in reports of earlier
+    /// versions.</summary>
+    public double? UncertaintyMm { get; init; }
+
+    /// <summary>The rule by which points are accepted near their limits; null in reports of earlier versions.</summary>
+    public DecisionRule? Rule { get; init; }
+
+    /// <summary>The verdict on the counterpart that was cut with compensation.</summary>
+    public VerifyVerdict Verdict => VerifyVerdict.Of(this);
 
     /// <summary>The measurement of the counterpart before; null if the designed one is used.</summary>
     public ReportInput? Before => ReportInputs.Find(Inputs, "counterpart");

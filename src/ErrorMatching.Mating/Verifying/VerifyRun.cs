@@ -71,6 +71,8 @@ public static class VerifyRun
             input.Before is null ? [BeforeAsDesigned] : [])
         {
             IsBeforeMeasured = input.Before is not null,
+            UncertaintyMm = job.Gauge.Uncertainty.CombinedMm * Math.Sqrt(2),
+            Rule = job.Rule,
         };
     }
 

@@ -65,8 +65,18 @@ public sealed class ReportWriter(Utf8JsonWriter json)
     /// <summary>Writes a text or null.</summary>
     public void Text(string name, string? value) => json.WriteString(name, value);
 
-    /// <summary>Writes a Boolean.</summary>
-    public void Flag(string name, bool value) => json.WriteBoolean(name, value);
+    /// <summary>Writes a Boolean, or null.</summary>
+    public void Flag(string name, bool? value)
+    {
+        if (value is { } flag)
+        {
+            json.WriteBoolean(name, flag);
+        }
+        else
+        {
+            json.WriteNull(name);
+        }
+    }
 
     /// <summary>Writes a count.</summary>
     public void Count(string name, int value) => json.WriteNumber(name, value);

@@ -46,6 +46,10 @@ public sealed class CounterpartVerificationTests
         Assert.Contains("counterpart.csv", recorded.Reason.Sentence, StringComparison.Ordinal);
     }
 
+    [Fact]
+    public void The_record_says_how_many_points_are_outside_their_limits() => Assert.Matches(
+        @"sends nothing\. \d+ of 16 points are outside their limits: .*\.$", Recorded(Counterpart()).Reason.Sentence);
+
     private static CorrectionRequest Counterpart() =>
         Samples.Part("complex-mating") with
         {

@@ -25,6 +25,28 @@ public sealed class ProposingTests
         Assert.Contains(("cell", "policy: automatic within 0.5 mm"), cell.Store.StepsOf(1).Select(s => (s.By, s.Basis.Sentence)));
     }
 
+    // The pair wants a gap along L1, which the compensation closes: its points stay outside their limits.
+    [Fact]
+    public async Task What_the_verdict_says_not_to_cut_waits_for_a_person()
+    {
+        await using var cell = new RunningCell();
+        var job = File.ReadAllText(cell.PathOf("job/job.json"));
+        var limits = job.IndexOf("[-0.05, 0.05]", job.IndexOf("\"name\": \"L1\"", StringComparison.Ordinal), StringComparison.Ordinal);
+        File.WriteAllText(cell.PathOf("job/job.json"), job[..limits] + "[0.01, 0.05]" + job[(limits + "[-0.05, 0.05]".Length)..]);
+        cell.Start();
+        cell.Drop("a_S1.csv", 1);
+        await cell.Until(1, CorrectionState.Proposed);
+        await cell.StopAsync();
+        cell.Start();
+        await cell.UntilLookedAgain("approval");
+
+        Assert.Equal(CorrectionState.Proposed, cell.Store.Find(1)!.State);
+        Assert.Contains(
+            "Its verdict does not say to cut it: a person decides.",
+            cell.Store.StepsOf(1).Single(s => s.To == CorrectionState.Proposed).Basis.Sentence,
+            StringComparison.Ordinal);
+    }
+
     [Fact]
     public async Task A_newer_measurement_takes_the_place_of_one_of_the_same_work_order_only()
     {

@@ -9,20 +9,28 @@ namespace ErrorMatching.Console;
 /// <summary>A match: its report, and the files that it was written to.</summary>
 /// <param name="matched">The program with its report.</param>
 /// <param name="folder">The folder that the files are in; null if nothing was written.</param>
-internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answer
+/// <param name="failure">Why no program is written; null if it is.</param>
+internal sealed class MatchAnswer(MatchedProgram matched, string? folder, Failure? failure) : Answer
 {
     private const int BlocksShown = 8;
 
     private readonly MatchReport _report = matched.Report;
     private readonly byte[] _json = matched.ReportJson();
 
-    public override byte[] ToJson() => _json;
+    public override Failure? Failure => failure;
+
+    public override byte[] ToJson() => OutcomeWriter.WithErrors(_json, Failure);
 
     /// <summary>The files to write. The program is last: if it exists, so does its report.</summary>
     public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files =>
         [
             (In("report.json"), _json),
             (In("report.html"), matched.ReportHtml()),
+            .. _report.Acceptance.IsWithheld ? [] : Programs,
+        ];
+
+    private IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Programs =>
+        [
             .. matched.Match.Correction?.Program is { } offsets
                 ? ((string, ReadOnlyMemory<byte>)[])[(_report.Correction!.File!, offsets)]
                 : [],
@@ -98,8 +106,8 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
     {
         var verdict = _report.Verdict;
         page.Verdict(VerdictWords.Of(verdict), verdict.IsToCut);
-        foreach (var sentence in new[] { VerdictWords.Risk(_report), VerdictWords.Worst(verdict) }.OfType<string>()
-            .Concat(VerdictWords.Trust(verdict)))
+        string?[] more = [_report.Acceptance.Sentence, VerdictWords.Risk(_report), VerdictWords.Worst(verdict)];
+        foreach (var sentence in more.OfType<string>().Concat(VerdictWords.Trust(verdict)))
         {
             page.Line(sentence);
         }
@@ -153,7 +161,16 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
     {
         if (folder is null)
         {
-            page.Line("Nothing was written. Add --out DIR to write the program and its report.");
+            page.Line(_report.Acceptance.IsWithheld
+                ? "Nothing was written. Add --out DIR to write the report."
+                : "Nothing was written. Add --out DIR to write the program and its report.");
+            return;
+        }
+
+        if (_report.Acceptance.IsWithheld)
+        {
+            page.Line($"Wrote {In("report.html")} and {In("report.json")}.");
+            page.Line(OutsideWords.ToDecide(_report.Outside) ?? "Decide before you cut: see the first line.");
             return;
         }
 

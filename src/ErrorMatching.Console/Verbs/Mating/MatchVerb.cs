@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.Diagnostics;
 using ErrorMatching.Jobs;
+using ErrorMatching.Mating;
 
 namespace ErrorMatching.Console;
 
@@ -21,6 +22,7 @@ internal sealed class MatchVerb : Verb
     private readonly AssumeOption _assume = new();
     private readonly WishOption _wish = new();
     private readonly CertificateOption _certificate = new();
+    private readonly AcceptOption _accept = new(MatchedProgram.Acceptable);
     private readonly Option<string> _out = new("--out")
     {
         Description = "The folder to write the program and the reports to. Without it nothing is written.",
@@ -42,6 +44,7 @@ internal sealed class MatchVerb : Verb
         Options.Add(_out);
         Options.Add(_wish);
         Options.Add(_certificate);
+        Options.Add(_accept);
     }
 
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
@@ -69,7 +72,26 @@ internal sealed class MatchVerb : Verb
             return new Failure(ExitCode.Refused, outcome.Refusals);
         }
 
-        var answer = new MatchAnswer(matched, folder);
+        var obedient = matched.Obey(_accept.Of(arguments));
+        var answer = new MatchAnswer(
+            obedient,
+            folder,
+            FailureOf.NotToCut(
+                obedient.Report.Acceptance,
+                VerdictWords.Of(obedient.Report.Verdict),
+                files.Job.File,
+                folder is null ? [] : matched.Report.Targets,
+                files.Read));
+        if (obedient.Report.Acceptance.IsWithheld)
+        {
+            if (folder is not null)
+            {
+                OutputFile.WriteAll(answer.Files, files.Read, cancellation);
+            }
+
+            return answer;
+        }
+
         var outputs = _certificate.Before(folder is null ? [] : answer.Files, matched.Match.Certificate, arguments);
         _wish.WriteWith(outputs, matched.Match.WishFile, arguments, files.Read, cancellation);
         return answer;

@@ -1,6 +1,8 @@
 using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
+using ErrorMatching.Refusals;
+using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Console;
 
@@ -8,11 +10,18 @@ namespace ErrorMatching.Console;
 /// <param name="report">The report.</param>
 /// <param name="piece">The verified counterpart, for other systems.</param>
 /// <param name="folder">The folder that it was written to; null if nothing was written.</param>
-internal sealed class VerifyAnswer(VerifyReport report, PieceResult piece, string? folder) : Answer
+/// <param name="isRequired">True if a piece that is not in tolerance must not be used.</param>
+internal sealed class VerifyAnswer(VerifyReport report, PieceResult piece, string? folder, bool isRequired) : Answer
 {
     private readonly byte[] _json = VerifyReportJson.Write(report);
 
-    public override byte[] ToJson() => _json;
+    public override Failure? Failure => isRequired && report.Verdict.IsInTolerance != true
+        ? new(ExitCode.Refused, new Refusal("out-of-tolerance", $"{After}: {VerifyWords.Of(report.Verdict)}", new() { File = After }))
+        : null;
+
+    public override byte[] ToJson() => OutcomeWriter.WithErrors(_json, Failure);
+
+    private string After => ReportInputs.Find(report.Inputs, "counterpart-after")!.File;
 
     /// <summary>The files to write.</summary>
     public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files =>
@@ -25,7 +34,15 @@ internal sealed class VerifyAnswer(VerifyReport report, PieceResult piece, strin
 
     public override void WriteText(Page page)
     {
-        page.Heading(
+        var verdict = report.Verdict;
+        page.Verdict(VerifyWords.Of(verdict), verdict.IsInTolerance);
+        if (VerifyWords.Risk(verdict) is { } risk)
+        {
+            page.Line(risk);
+        }
+
+        page.Line();
+        page.Line(
             $"{report.Job.Name}: the largest mating error was {Show.Mm(report.Result.MaxBeforeMm)} mm before and is "
                 + $"{Show.Mm(report.Result.MaxAfterMm)} mm after");
         page.Line();

@@ -2,6 +2,7 @@ using System.CommandLine;
 using ErrorMatching.Geometry;
 using ErrorMatching.Jobs;
 using ErrorMatching.Mating;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Console;
 
@@ -12,6 +13,11 @@ internal sealed class VerifyVerb : Verb
     private readonly Option<string> _before = FileOption("--before", "The measured counterpart that was cut without compensation.");
     private readonly Option<string> _after = FileOption("--after", "The measured counterpart that was cut with it.");
     private readonly Option<string> _part = FileOption("--part", "The measured part, instead of the job's.");
+    private readonly Option<bool> _require = new("--require-in-tolerance")
+    {
+        Description = "Exit with 2 unless the counterpart after compensation is in tolerance. What --out asks for is written all the "
+            + "same: it says why.",
+    };
     private readonly Option<string> _out = new("--out")
     {
         Description = "The folder to write verify.json, verify.html, verify.qif and verify.dfq to. Without it nothing is written.",
@@ -31,12 +37,23 @@ internal sealed class VerifyVerb : Verb
         Options.Add(_before);
         Options.Add(_after);
         Options.Add(_part);
+        Options.Add(_require);
         Options.Add(_out);
     }
 
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
         var files = new JobFiles(arguments.GetRequiredValue(_job));
+        var isRequired = arguments.GetValue(_require);
+        if (isRequired && files.Job.Features.All(f => f.Tolerance.Band.WidthMm == 0))
+        {
+            return new Failure(ExitCode.WrongInput, new Refusal(
+                "tolerance-missing",
+                $"{files.Job.File} states no \"toleranceMm\" with a width, which --require-in-tolerance compares with. Enter the limits of "
+                    + "a feature, in mm.",
+                new() { File = files.Job.File, Path = "$.features" }));
+        }
+
         var (theoretical, part) = (files.Theoretical(), files.Part(GivenMeasurement(arguments.GetValue(_part))));
         files.CheckFrame(theoretical, part);
         var (before, after) = (
@@ -60,7 +77,7 @@ internal sealed class VerifyVerb : Verb
             }
 
             var folder = arguments.GetValue(_out);
-            var answer = new VerifyAnswer(report, VerifiedPiece.Of(report, files.Job), folder);
+            var answer = new VerifyAnswer(report, VerifiedPiece.Of(report, files.Job), folder, isRequired);
             if (folder is not null)
             {
                 OutputFile.WriteAll(answer.Files, files.Read, cancellation);

@@ -1,5 +1,6 @@
 using System.CommandLine;
 using System.Diagnostics;
+using ErrorMatching.Freeform;
 using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Console;
@@ -14,6 +15,7 @@ internal sealed class SurfaceCompensate : Verb
     private readonly Option<string> _cutBy = SurfaceOptions.CutBy();
     private readonly Option<string> _previous = SurfaceOptions.Previous();
     private readonly Option<string[]> _earlier = SurfaceOptions.Earlier();
+    private readonly AcceptOption _accept = SurfaceOptions.Accept();
     private readonly Option<string> _out = SurfaceOptions.Out(
         "The folder to write the compensation points, the surface, the finishing program and the reports to. Without it nothing is "
             + "written.");
@@ -29,6 +31,7 @@ internal sealed class SurfaceCompensate : Verb
         Options.Add(_cutBy);
         Options.Add(_previous);
         Options.Add(_earlier);
+        Options.Add(_accept);
         Options.Add(_out);
     }
 
@@ -56,7 +59,16 @@ internal sealed class SurfaceCompensate : Verb
             return new Failure(ExitCode.Refused, outcome.Refusals);
         }
 
-        var answer = new SurfaceCompensateAnswer(finished, folder);
+        var obedient = finished.Obey(_accept.Of(arguments));
+        var answer = new SurfaceCompensateAnswer(
+            obedient,
+            folder,
+            FailureOf.NotToCut(
+                obedient.Report.Acceptance,
+                ProfileLead.Of(obedient.Report.Result, obedient.Report.Verdict),
+                files.Job.File,
+                SurfaceCompensateAnswer.Targets(folder),
+                files.Read));
         if (folder is not null)
         {
             progress.Report("making the reports");

@@ -9,11 +9,19 @@ namespace ErrorMatching.Console;
 /// <summary>A compensation: its report, and the files that it was written to.</summary>
 /// <param name="finished">The finishing program with its report.</param>
 /// <param name="folder">The folder that the files are in; null if nothing was written.</param>
-internal sealed class SurfaceCompensateAnswer(FinishedSurface finished, string? folder) : Answer
+/// <param name="failure">Why no program is written; null if it is.</param>
+internal sealed class SurfaceCompensateAnswer(FinishedSurface finished, string? folder, Failure? failure) : Answer
 {
     private readonly byte[] _json = finished.ReportJson();
 
-    public override byte[] ToJson() => _json;
+    public override Failure? Failure => failure;
+
+    public override byte[] ToJson() => OutcomeWriter.WithErrors(_json, Failure);
+
+    /// <summary>The files that are cut with, or that describe what is cut.</summary>
+    public static IEnumerable<string> Targets(string? folder) => folder is null
+        ? []
+        : new[] { "compensation.csv", "surface.stp", "surface.igs", FinishedSurface.Name }.Select(n => PathText.In(folder, n));
 
     /// <summary>The files to write. The program is last: if it exists, so does its report.</summary>
     public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files()
@@ -21,6 +29,11 @@ internal sealed class SurfaceCompensateAnswer(FinishedSurface finished, string? 
         // The page takes as long as all the others, so it is created concurrently.
         var page = Task.Run(finished.ReportHtml);
         var result = finished.Report.Result;
+        if (finished.Report.Acceptance.IsWithheld)
+        {
+            return [(In("report.json"), _json), (In("report.html"), page.GetAwaiter().GetResult())];
+        }
+
         var (points, step, iges) = (CompensationCsv.Write(result), StepWriter.Write(result.Surface), IgesWriter.Write(result.Surface));
         return
         [
@@ -41,6 +54,11 @@ internal sealed class SurfaceCompensateAnswer(FinishedSurface finished, string? 
         page.Verdict(
             ProfileLead.Of(result, report.Verdict, report.CallsTool),
             report.Verdict?.Predicted.IsWithin is var isWithin && isWithin == true && !report.CallsTool ? null : isWithin);
+        if (report.Acceptance.Sentence is { } accepted)
+        {
+            page.Line(accepted);
+        }
+
         if (!report.CallsTool)
         {
             page.Heading($"{report.Job.Name}: {In(FinishedSurface.Name)} has no tool call and stops with an alarm");
@@ -90,6 +108,14 @@ internal sealed class SurfaceCompensateAnswer(FinishedSurface finished, string? 
         }
 
         page.Line();
+        if (report.Acceptance.IsWithheld)
+        {
+            page.Line(folder is null
+                ? "Nothing was written. Add --out DIR to write the reports."
+                : $"Wrote {In("report.html")} and {In("report.json")}.");
+            return;
+        }
+
         page.Line(folder is null
             ? "Nothing was written. Add --out DIR to write the compensation points, the surface, the finishing program and the reports."
             : $"Wrote {In("finishing.nc")}, {In("surface.stp")}, {In("surface.igs")}, {In("compensation.csv")}, {In("report.html")} and "

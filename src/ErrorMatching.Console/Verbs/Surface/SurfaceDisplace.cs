@@ -1,4 +1,5 @@
 using System.CommandLine;
+using ErrorMatching.Freeform;
 using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Console;
@@ -14,6 +15,7 @@ internal sealed class SurfaceDisplace : Verb
     private readonly Option<string> _previous = SurfaceOptions.Previous();
     private readonly Option<string[]> _earlier = SurfaceOptions.Earlier();
     private readonly Option<string> _program = FileOption("--program", "The finishing program that the shop has from its CAM.");
+    private readonly AcceptOption _accept = SurfaceOptions.Accept();
     private readonly Option<string> _out = SurfaceOptions.Out(
         "The folder to write the displaced program to, by the same name. Without it nothing is written.");
 
@@ -31,6 +33,7 @@ internal sealed class SurfaceDisplace : Verb
         Options.Add(_previous);
         Options.Add(_earlier);
         Options.Add(_program);
+        Options.Add(_accept);
         Options.Add(_out);
     }
 
@@ -57,11 +60,19 @@ internal sealed class SurfaceDisplace : Verb
             return new Failure(ExitCode.Refused, outcome.Refusals);
         }
 
-        if (folder is not null)
+        var obedient = displaced.Obey(_accept.Of(arguments));
+        if (folder is not null && !obedient.Report.Acceptance.IsWithheld)
         {
             OutputFile.Write(displaced.Report.File, displaced.Program, files.Read, cancellation);
         }
 
-        return new SurfaceDisplaceAnswer(displaced);
+        return new SurfaceDisplaceAnswer(
+            obedient,
+            FailureOf.NotToCut(
+                obedient.Report.Acceptance,
+                ProfileLead.Of(obedient.Report.Compensation, obedient.Report.Verdict),
+                files.Job.File,
+                folder is null ? [] : [displaced.Report.File],
+                files.Read));
     }
 }

@@ -6,15 +6,24 @@ using ErrorMatching.Reporting;
 namespace ErrorMatching.Console;
 
 /// <summary>A finishing program displaced by the compensation.</summary>
-internal sealed class SurfaceDisplaceAnswer(DisplacedSurface surface) : Answer
+/// <param name="surface">The program with its report.</param>
+/// <param name="failure">Why no program is written; null if it is.</param>
+internal sealed class SurfaceDisplaceAnswer(DisplacedSurface surface, Failure? failure) : Answer
 {
-    public override byte[] ToJson() => surface.ReportJson();
+    public override Failure? Failure => failure;
+
+    public override byte[] ToJson() => OutcomeWriter.WithErrors(surface.ReportJson(), Failure);
 
     public override void WriteText(Page page)
     {
         var report = surface.Report;
         var (displaced, compensation) = (report.Displaced, report.Compensation);
         page.Verdict(ProfileLead.Of(compensation, report.Verdict), report.Verdict?.Predicted.IsWithin);
+        if (report.Acceptance.Sentence is { } accepted)
+        {
+            page.Line(accepted);
+        }
+
         page.Line();
         page.Line(string.Create(
             CultureInfo.InvariantCulture,
@@ -50,7 +59,9 @@ internal sealed class SurfaceDisplaceAnswer(DisplacedSurface surface) : Answer
 
         page.Line();
         page.Line(
-            report.Folder is null
+            report.Acceptance.IsWithheld
+                ? "Nothing was written."
+                : report.Folder is null
                 ? "Nothing was written. Add --out DIR to write the program."
                 : $"Wrote {report.File}. Next: cut with it, measure again, and compare by errormatch surface evaluate.");
     }

@@ -1,5 +1,4 @@
 using System.Globalization;
-using System.Text.Json;
 using ErrorMatching.Freeform;
 using ErrorMatching.Json;
 using ErrorMatching.Measurement;
@@ -24,24 +23,7 @@ internal sealed class SurfaceEvaluateAnswer(EvaluationReport report, JobStock st
                 new() { File = p.File }))])
         : null;
 
-    public override byte[] ToJson()
-    {
-        if (Failure is not { } failure)
-        {
-            return _json;
-        }
-
-        using var document = JsonDocument.Parse(_json);
-        var root = document.RootElement;
-        return OutcomeWriter.Json(root.GetProperty("schema").GetString()!, json =>
-        {
-            OutcomeWriter.WriteErrors(json, failure);
-            foreach (var member in root.EnumerateObject().Skip(1))
-            {
-                member.WriteTo(json);
-            }
-        });
-    }
+    public override byte[] ToJson() => OutcomeWriter.WithErrors(_json, Failure);
 
     /// <summary>The files to write.</summary>
     public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files =>

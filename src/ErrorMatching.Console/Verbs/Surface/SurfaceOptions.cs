@@ -1,4 +1,5 @@
 using System.CommandLine;
+using ErrorMatching.Freeform;
 
 namespace ErrorMatching.Console;
 
@@ -41,6 +42,9 @@ internal static class SurfaceOptions
         AllowMultipleArgumentsPerToken = true,
         Arity = ArgumentArity.OneOrMore
     };
+
+    /// <summary>The verdicts that are accepted although they say not to cut.</summary>
+    public static AcceptOption Accept() => new(ProfileWords.Acceptable);
 
     /// <summary>The folder to write to.</summary>
     public static Option<string> Out(string description) => new("--out") { Description = description, HelpName = "DIR" };

@@ -73,8 +73,10 @@ internal sealed class PieceDetail : Observable
     /// <summary>True if the piece is worse than without compensation.</summary>
     public bool IsWorse => _piece.Result.RmsImprovementPercent < 0;
 
-    /// <summary>Whether all errors are within their limits, and which are not.</summary>
-    public string Verdict => VerdictOf(_piece);
+    /// <summary>Whether all errors are within their limits, and which are not; once the counterpart is measured, with the risk.</summary>
+    public string Verdict => _piece.Verdict is { } verdict
+        ? Sentence.Joined(VerifyVerdictText.Of(verdict), PushedOutOf(_piece))
+        : VerdictOf(_piece);
 
     /// <summary>Number of warnings of its correction; null if there are none, or if the correction is unknown.</summary>
     public string? Warnings =>
@@ -121,8 +123,8 @@ internal sealed class PieceDetail : Observable
 
     public Severity Severity => SeverityOf(_piece);
 
-    /// <summary>True if all errors are within their limits.</summary>
-    public bool IsWithin => _piece.IsWithin;
+    /// <summary>True if the measured counterpart is in tolerance.</summary>
+    public bool IsGood => _piece.Verdict?.IsInTolerance == true;
 
     /// <summary>The error at each key point with its limits.</summary>
     public SeriesDrawing Errors { get; }
@@ -173,9 +175,14 @@ internal sealed class PieceDetail : Observable
     internal static string VerdictOf(StoredPiece piece) =>
         piece.Outside is not { Count: > 0 } outside ? Texts.Current["Verify.AllWithin"] : Sentence.Joined(
         Texts.Current.Counted("Verify.Outside", outside.Count, outside.Count, Listed(outside)),
-        piece.PushedOut is { Count: > 0 } worse ? Texts.Current.With("Verify.PushedOut", Listed(worse)) : "");
+        PushedOutOf(piece));
 
-    internal static Severity SeverityOf(StoredPiece piece) => piece.IsWithin ? Severity.Quiet : Severity.Attention;
+    private static string PushedOutOf(StoredPiece piece) =>
+        piece.PushedOut is { Count: > 0 } worse ? Texts.Current.With("Verify.PushedOut", Listed(worse)) : "";
+
+    internal static Severity SeverityOf(StoredPiece piece) => piece.Verdict is { } verdict ? VerifyVerdictText.SeverityOf(verdict)
+        : piece.IsWithin ? Severity.Quiet
+        : Severity.Attention;
 
     // No program can meet its deviation, but other limits or another point may help: the correction warned of it.
     private bool IsOnCorner(string point) => _piece.Match?.OnCorners.Contains(point, StringComparer.Ordinal) == true;

@@ -6,7 +6,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="Job">The workpiece's name.</param>
 /// <param name="Kind">Measured or predicted.</param>
 /// <param name="Largest">The largest mating error with compensation.</param>
-/// <param name="Severity">Attention if a measured error is outside its limits.</param>
+/// <param name="Severity">Alarm if a measured error is outside its limits, attention if a predicted one is.</param>
 internal sealed record PieceRow(long Id, string Title, string Job, string Kind, string Largest, Severity Severity)
 {
     public string AutomationId => "piece-" + Shown.Id(Id);

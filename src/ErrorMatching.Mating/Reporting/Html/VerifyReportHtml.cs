@@ -30,6 +30,7 @@ public static class VerifyReportHtml
                         ("--before", "counterpart"),
                         ("--after", "counterpart-after"),
                         ("--part", "part"))),
-            ]);
+            ],
+            html => VerifyLead.Write(html, report));
     }
 }

@@ -11,9 +11,8 @@ internal static class MatchLead
         using (html.In("p", ("id", "verdict"), ("class", verdict.IsToCut ? "verdict holds" : "verdict fails")))
         {
             html.Put("strong", $"{(verdict.IsToCut ? "✓" : "✗")} {VerdictWords.Of(verdict)}");
-            html.Text(string.Join(
-                " ",
-                new[] { VerdictWords.Risk(report), VerdictWords.Worst(verdict) }.OfType<string>().Concat(VerdictWords.Trust(verdict))));
+            string?[] more = [report.Acceptance.Sentence, VerdictWords.Risk(report), VerdictWords.Worst(verdict)];
+            html.Text(string.Join(" ", more.OfType<string>().Concat(VerdictWords.Trust(verdict))));
             if (report.Warnings.Count > 0)
             {
                 html.Text(" ");

@@ -55,6 +55,9 @@ internal static class MatchSummary
 
     private static string Changed(MatchReport report) => report.IsUnchanged
         ? $"Nothing: {report.Program.File} is the original program, byte for byte."
+        : report.Acceptance.IsWithheld
+        ? $"Nothing is written. The program would change {ReportNumber.Count(report.Program.ChangedBlocks, "block")} and "
+            + $"{ReportNumber.Count(report.Program.ChangedWords, "word")} of them."
         : $"{ReportNumber.Count(report.Program.ChangedBlocks, "block")} and {ReportNumber.Count(report.Program.ChangedWords, "word")} of "
             + $"them, written to {report.Program.File} (SHA-256 {ReportInputs.ShortHash(report.Program.Sha256)}…). The original is "
             + $"untouched.";
@@ -93,6 +96,11 @@ internal static class MatchSummary
         string[] decide = OutsideWords.ToDecide(report.Outside) is { } first ? [first]
             : report.Verdict.IsToCut ? []
             : ["Decide whether to cut: the verdict at the top says what speaks against it."];
+        if (report.Acceptance is { IsWithheld: true, Sentence: { } withheld })
+        {
+            return [.. decide, withheld];
+        }
+
         return
         [
             .. decide,

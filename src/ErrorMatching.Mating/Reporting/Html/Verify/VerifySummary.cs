@@ -8,8 +8,10 @@ internal static class VerifySummary
     public static void Write(HtmlText html, VerifyReport report)
     {
         var (before, after) = (report.Result.MaxBeforeMm, report.Result.MaxAfterMm);
-        var (mark, words) = after < before ? ("✓", "smaller") : after > before ? ("✗", "larger") : ("○", "the same");
-        using (html.In("p", ("class", after < before ? "verdict holds" : "verdict fails")))
+        // A check mark would suggest that a piece outside its limits is good.
+        var isGood = report.Verdict.IsInTolerance != false;
+        var (mark, words) = after < before ? (isGood ? "✓" : "○", "smaller") : after > before ? ("✗", "larger") : ("○", "the same");
+        using (html.In("p", ("class", after >= before ? "verdict fails" : isGood ? "verdict holds" : "verdict")))
         {
             html.Put(
                 "strong",
