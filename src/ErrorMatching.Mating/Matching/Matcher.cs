@@ -147,6 +147,7 @@ public static class Matcher
 
         var after = NcInterpreter.Run(program, path);
         var prediction = estimator.Predict(after);
+        var pair = Pair(input, path, maps, estimator, r => r.OnCuts(after));
         CorrectionChoice? correction = null;
         if (input.Job.Correction.AllowsOffsets)
         {
@@ -155,8 +156,7 @@ public static class Matcher
             correction = chooser.Choose(compensates: true);
             if (correction.IsOffset)
             {
-                return Unchanged(
-                    input, path, maps, part, counterpart, lot, decision, correction, estimator.PredictOn(chooser.Chosen!));
+                return WithOffset(input, path, maps, part, counterpart, lot, decision, correction, estimator, chooser.Chosen!);
             }
 
             if (!input.Job.Correction.Allows(CorrectionKind.Blocks))
@@ -181,7 +181,34 @@ public static class Matcher
         {
             Lot = After(lot, prediction),
             Correction = correction,
+            Pair = pair,
         };
+    }
+
+    private static PairAssembly? Pair(
+        MatchInput input,
+        NcPath path,
+        IReadOnlyList<FeatureMap> maps,
+        CourseEstimator estimator,
+        Func<RunEstimate, RunPath> cuts) =>
+        PairEstimator.Of(path, maps, estimator, input.Job.Counterpart.Frame.Inverse(), cuts);
+
+    private static MatchResult WithOffset(
+        MatchInput input,
+        NcPath path,
+        IReadOnlyList<FeatureMap> maps,
+        AlignedMeasurement part,
+        AlignedMeasurement? counterpart,
+        CounterpartLot? lot,
+        MatingDecision decision,
+        CorrectionChoice correction,
+        CourseEstimator estimator,
+        Func<RunEstimate, RunPath> cuts)
+    {
+        var prediction = estimator.PredictOn(cuts);
+        return Original(
+            input, path, maps, part, counterpart, After(lot, prediction), decision, correction, prediction,
+            Pair(input, path, maps, estimator, cuts));
     }
 
     private static CounterpartLot? After(CounterpartLot? lot, MatingPrediction prediction) =>
@@ -207,7 +234,8 @@ public static class Matcher
         var chooser = new OffsetChooser(
             input.Job, path, maps, decision, estimator, null, OffsetsBefore(input), OffsetsFile(input, path), MarkerOf(input, path));
         return chooser.Choose(compensates: true) is { IsOffset: true } correction
-            ? Unchanged(input, path, maps, part, counterpart, lot, decision, correction, estimator.PredictOn(chooser.Chosen!))
+            ? (Outcome<MatchResult>)WithOffset(
+                input, path, maps, part, counterpart, lot, decision, correction, estimator, chooser.Chosen!)
             : null;
     }
 
@@ -239,25 +267,38 @@ public static class Matcher
         AlignedMeasurement part,
         AlignedMeasurement? counterpart,
         CounterpartLot? lot,
+        MatingDecision decision)
+    {
+        var estimator = new CourseEstimator(input.Job, path, maps, decision, input.Theoretical);
+        var prediction = estimator.Predict(path);
+        var pair = Pair(input, path, maps, estimator, r => r.OnCuts(path));
+        var correction = !input.Job.Correction.AllowsOffsets
+            ? null
+            : new OffsetChooser(
+                input.Job, path, maps, decision, estimator, path, OffsetsBefore(input), OffsetsFile(input, path), MarkerOf(input, path))
+                .Choose(compensates: false);
+        return Original(input, path, maps, part, counterpart, lot, decision, correction, prediction, pair);
+    }
+
+    private static MatchResult Original(
+        MatchInput input,
+        NcPath path,
+        IReadOnlyList<FeatureMap> maps,
+        AlignedMeasurement part,
+        AlignedMeasurement? counterpart,
+        CounterpartLot? lot,
         MatingDecision decision,
-        CorrectionChoice? correction = null,
-        MatingPrediction? predicted = null)
+        CorrectionChoice? correction,
+        MatingPrediction prediction,
+        PairAssembly? pair)
     {
         var nothing = DisplacementWish.OfElements([]);
         var proof = Prover.Check(path, path.Program, nothing, Elementary.Pow(10, -path.Dialect.MetricDecimals));
-        var estimator = new CourseEstimator(input.Job, path, maps, decision, input.Theoretical);
-        var prediction = predicted ?? estimator.Predict(path);
-        if (correction is null && input.Job.Correction.AllowsOffsets)
+        return new(input, path, path, maps, part, counterpart, decision, prediction, null, null, null, proof)
         {
-            correction = new OffsetChooser(
-                input.Job, path, maps, decision, estimator, path, OffsetsBefore(input), OffsetsFile(input, path), MarkerOf(input, path))
-                .Choose(compensates: false);
-        }
-
-        return new MatchResult(input, path, path, maps, part, counterpart, decision, prediction, null, null, null, proof)
-        {
-            Lot = predicted is null ? lot : After(lot, prediction),
+            Lot = lot,
             Correction = correction,
+            Pair = pair,
         };
     }
 }

@@ -51,6 +51,10 @@ public sealed record MatchReport
     /// <summary>The verdict on the pair.</summary>
     public MatchVerdict Verdict => MatchVerdict.Of(this);
 
+    /// <summary>The part put into the counterpart that the program will cut; null if the outline does not tell, and in reports of earlier
+    /// versions.</summary>
+    public PairAssembly? Pair { get; init; }
+
     /// <summary>The program that was written.</summary>
     public required ReportProgram Program { get; init; }
 

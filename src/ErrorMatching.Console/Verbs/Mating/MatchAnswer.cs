@@ -98,7 +98,8 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder) : Answ
     {
         var verdict = _report.Verdict;
         page.Verdict(VerdictWords.Of(verdict), verdict.IsToCut);
-        foreach (var sentence in new[] { VerdictWords.Risk(_report), VerdictWords.Worst(verdict) }.OfType<string>())
+        var pair = _report.Pair is { } assembled ? PairWords.Of(assembled) : null;
+        foreach (var sentence in new[] { VerdictWords.Risk(_report), VerdictWords.Worst(verdict), pair }.OfType<string>())
         {
             page.Line(sentence);
         }
