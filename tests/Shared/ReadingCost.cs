@@ -60,7 +60,8 @@ internal static class ReadingCost
 
             if (IsTooMuch(small, large, length))
             {
-                found.Add(string.Create(CultureInfo.InvariantCulture,
+                found.Add(string.Create(
+                    CultureInfo.InvariantCulture,
                     $"{Shown(input)}: {first:0.000} s for {length / 16} bytes, "
                         + $"{small:0.000} s for {length}, {large:0.000} s for {2 * length}"));
             }

@@ -166,6 +166,9 @@ internal sealed class CourseEstimator
     /// <summary>The places at which ways of cutting are compared, after a prediction for a program.</summary>
     public IReadOnlyList<ComparedPlace> Places() => [.. _runs.SelectMany(r => r.Places(e => _features[e]))];
 
+    /// <summary>The runs of cuts that are estimated.</summary>
+    public IReadOnlyList<RunEstimate> Runs => _runs;
+
     private FeaturePrediction Predict(FeatureMap map, int feature, Func<RunEstimate, RunPath> cuts, RigidTransform2 toPart)
     {
         var (pass, points) = (map.Passes[0], new PredictedError[map.Feature.Points.Count]);

@@ -83,6 +83,34 @@ internal sealed class DeviationField
         return Math.Sqrt(Math.Max(0, variance));
     }
 
+    /// <summary>The best estimate of a weighted sum of deviations, mm.</summary>
+    public double Mean(IReadOnlyList<RowTerm> terms) => terms.Sum(t => t.Weight * Mean(t.Element, t.AlongMm));
+
+    /// <summary>What is known about weighted sums of deviations together.</summary>
+    public JointDeviation Together(IReadOnlyList<IReadOnlyList<RowTerm>> places)
+    {
+        var (n, count) = (_rows.Count, places.Count);
+        var explained = new double[count][];
+        var lower = _factor?.Factor;
+        for (var k = 0; k < count; k++)
+        {
+            // Forward substitution: the factor's inverse times the covariances with the rows.
+            var column = explained[k] = new double[n];
+            for (var i = 0; i < n; i++)
+            {
+                var sum = Covariance(_priors, _rows[i].Terms, places[k]);
+                for (var j = 0; j < i; j++)
+                {
+                    sum -= lower![i, j] * column[j];
+                }
+
+                column[i] = sum / lower![i, i];
+            }
+        }
+
+        return new(_priors, places, explained);
+    }
+
     private double WithRow(int element, double along, int row)
     {
         var sum = 0.0;
@@ -94,7 +122,8 @@ internal sealed class DeviationField
         return sum;
     }
 
-    private static double Covariance(
+    /// <summary>The covariance of two weighted sums before anything is measured.</summary>
+    internal static double Covariance(
         IReadOnlyList<DeviationPrior> priors, IReadOnlyList<RowTerm> terms, IReadOnlyList<RowTerm> others)
     {
         var sum = 0.0;

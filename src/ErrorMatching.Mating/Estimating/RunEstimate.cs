@@ -192,7 +192,11 @@ internal sealed class RunEstimate
                 Points[i].Index,
                 Points[i].Theoretical + Points[i].Deviation,
                 Points[i].Normal,
-                Nominal[i].DistanceMm);
+                Nominal[i].DistanceMm)
+            {
+                Terms = _ofPoints[i]?.Terms ?? [],
+                ResidualMm = _ofPoints[i] is { } row ? row.ValueMm - Field!.Mean(row.Terms) : 0,
+            };
         }
 
         for (var e = 0; e < Run.Elements.Count; e++)
@@ -210,6 +214,7 @@ internal sealed class RunEstimate
                 yield return new(this, featureOf(element), -1, place + (normal * Field!.Mean(e, along)), normal, Run.Radius)
                 {
                     StandardDeviationMm = Field.StandardDeviation(e, along),
+                    Terms = [new(e, along, 1)],
                 };
             }
         }
@@ -258,6 +263,12 @@ internal sealed record ComparedPlace(RunEstimate Run, int Feature, int Point, Po
 {
     /// <summary>How well it is known where the boundary should be between key points, mm; 0 at a key point, which is as measured.</summary>
     public double StandardDeviationMm { get; init; }
+
+    /// <summary>The deviations of the run's elements that move the place; none beside features without elements.</summary>
+    public IReadOnlyList<RowTerm> Terms { get; init; } = [];
+
+    /// <summary>How far the measured point is beyond the estimated boundary, toward the tool, mm; 0 between key points.</summary>
+    public double ResidualMm { get; init; }
 
     /// <summary>The mating error there, mm: positive where too much material stands.</summary>
     public double ErrorOn(RunPath cuts) => cuts.FootOf(Place, Normal).DistanceMm - NominalMm;

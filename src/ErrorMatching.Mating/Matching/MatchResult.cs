@@ -39,6 +39,9 @@ public sealed record MatchResult(
     /// <summary>By what the correction is made; null if the job allows blocks alone.</summary>
     public CorrectionChoice? Correction { get; init; }
 
+    /// <summary>The part put into the counterpart that the program to cut will make; null if the outline does not tell.</summary>
+    public PairAssembly? Pair { get; init; }
+
     /// <summary>The bytes of the program to cut.</summary>
     public ReadOnlyMemory<byte> Program => After.Program.Bytes;
 

@@ -81,6 +81,24 @@ public static class Matcher
             {
                 Trust = Estimator().Trust(),
             };
+
+        // The program as it is, which nothing changes.
+        public MatchResult Original(MatingPrediction prediction, PairAssembly? pair)
+        {
+            var nothing = DisplacementWish.OfElements([]);
+            var proof = Prover.Check(Path, Path.Program, nothing, Elementary.Pow(10, -Path.Dialect.MetricDecimals));
+            return Result(Path, prediction, proof, null, null, null) with { Pair = pair };
+        }
+
+        public MatchResult WithOffset(CorrectionChoice correction, CourseEstimator estimator, Func<RunEstimate, RunPath> cuts)
+        {
+            var prediction = estimator.PredictOn(cuts);
+            return Original(prediction, Pair(estimator, cuts)) with { Lot = After(Lot, prediction), Correction = correction };
+        }
+
+        // After a prediction: from the boundary of the piece as it is.
+        public PairAssembly? Pair(CourseEstimator estimator, Func<RunEstimate, RunPath> cuts) =>
+            PairEstimator.Of(Path, Maps, estimator, Input.Job.Counterpart.Frame.Inverse(), cuts);
     }
 
     private static Refusal? CheckBefore(MatchInput input, NcPath path)
@@ -165,6 +183,7 @@ public static class Matcher
 
         var after = NcInterpreter.Run(program, path);
         var prediction = estimator.Predict(after);
+        var pair = known.Pair(estimator, r => r.OnCuts(after));
         CorrectionChoice? correction = null;
         if (job.Correction.AllowsOffsets)
         {
@@ -172,7 +191,7 @@ public static class Matcher
             correction = chooser.Choose(compensates: true);
             if (correction.IsOffset)
             {
-                return Unchanged(known, correction, estimator.PredictOn(chooser.Chosen!));
+                return known.WithOffset(correction, estimator, chooser.Chosen!);
             }
 
             if (!job.Correction.Allows(CorrectionKind.Blocks))
@@ -185,6 +204,7 @@ public static class Matcher
         {
             Lot = After(known.Lot, prediction),
             Correction = correction,
+            Pair = pair,
         };
     }
 
@@ -204,7 +224,7 @@ public static class Matcher
         estimator.Predict(known.Path);
         var chooser = known.Chooser(estimator, null);
         return chooser.Choose(compensates: true) is { IsOffset: true } correction
-            ? Unchanged(known, correction, estimator.PredictOn(chooser.Chosen!))
+            ? (Outcome<MatchResult>)known.WithOffset(correction, estimator, chooser.Chosen!)
             : null;
     }
 
@@ -227,23 +247,14 @@ public static class Matcher
             : FeatureRefusal.Of(
                 refusal, maps.FirstOrDefault(m => refusal.Place.Line is { } line && m.Blocks.Contains(line - 1))?.Feature.Name);
 
-    private static Outcome<MatchResult> Unchanged(
-        Known known, CorrectionChoice? correction = null, MatingPrediction? predicted = null)
+    private static Outcome<MatchResult> Unchanged(Known known)
     {
-        var path = known.Path;
-        var nothing = DisplacementWish.OfElements([]);
-        var proof = Prover.Check(path, path.Program, nothing, Elementary.Pow(10, -path.Dialect.MetricDecimals));
         var estimator = known.Estimator();
-        var prediction = predicted ?? estimator.Predict(path);
-        if (correction is null && known.Input.Job.Correction.AllowsOffsets)
-        {
-            correction = known.Chooser(estimator, path).Choose(compensates: false);
-        }
-
-        return known.Result(path, prediction, proof, null, null, null) with
-        {
-            Lot = predicted is null ? known.Lot : After(known.Lot, prediction),
-            Correction = correction,
-        };
+        var prediction = estimator.Predict(known.Path);
+        var pair = known.Pair(estimator, r => r.OnCuts(known.Path));
+        var correction = known.Input.Job.Correction.AllowsOffsets
+            ? known.Chooser(estimator, known.Path).Choose(compensates: false)
+            : null;
+        return known.Original(prediction, pair) with { Lot = known.Lot, Correction = correction };
     }
 }

@@ -60,6 +60,10 @@ public sealed record MatchReport
     /// <summary>What became of a program that the verdict says not to cut.</summary>
     public Acceptance Acceptance { get; init; } = Acceptance.None;
 
+    /// <summary>The part put into the counterpart that the program will cut; null if the outline does not tell, and in reports of earlier
+    /// versions.</summary>
+    public PairAssembly? Pair { get; init; }
+
     /// <summary>The program that was written.</summary>
     public required ReportProgram Program { get; init; }
 

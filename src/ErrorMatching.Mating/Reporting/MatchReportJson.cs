@@ -37,6 +37,7 @@ public static class MatchReportJson
                 w.Texts("drivenOut", report.Outside.DrivenOut);
                 w.Texts("staying", report.Outside.Staying);
             });
+            w.Optional("pair", report.Pair, p => p.Write(w));
             w.Object("program", () => report.Program.Write(w));
             w.Object("proof", () => report.Proof.Write(w));
             w.Object("time", () => report.Time.Write(w));
@@ -75,6 +76,7 @@ public static class MatchReportJson
             Chain = document.OptionalObject("toleranceChain") is { } chain ? ReportChain.Read(chain) : null,
             Features = features,
             KeyPoints = ReadKeyPoints(document, [.. features.Select(f => f.Name)]),
+            Pair = document.OptionalObject("pair") is { } pair ? PairAssembly.Read(pair) : null,
             Program = ReportProgram.Read(document.Object("program")),
             Proof = ReportProof.Read(document.Object("proof")),
             Time = ReportTime.Read(document.Object("time")),

@@ -45,6 +45,7 @@ public static class MatchReporter
             Chain = job.Chain is { } chain ? ReportChain.Of(chain) : null,
             Features = [.. result.Maps.Select((map, i) => Feature(result, map, i, evaluations[i]))],
             KeyPoints = [.. result.Maps.SelectMany((map, i) => KeyPoints(result, map, i))],
+            Pair = result.Pair,
             Program = Program(result, programFile),
             Proof = Proof(result.Proof),
             Time = new(job.Gauge.Measuring.TotalS(job.KeyPoints.Count), calculatingS),

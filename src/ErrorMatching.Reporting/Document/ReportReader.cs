@@ -121,6 +121,21 @@ public sealed class ReportReader
             : numbers;
     }
 
+    /// <summary>Reads a list of numbers; null if it is missing or null.</summary>
+    /// <param name="name">The member.</param>
+    /// <param name="count">How many there must be.</param>
+    public IReadOnlyList<double>? OptionalNumbers(string name, long count) => Has(name) ? Numbers(name, count) : null;
+
+    /// <summary>Reads a list of numbers, or a word in place of it.</summary>
+    /// <param name="name">The member.</param>
+    /// <param name="count">How many numbers there must be.</param>
+    /// <param name="word">The word.</param>
+    /// <returns>The numbers; null for the word.</returns>
+    public IReadOnlyList<double>? NumbersOrWord(string name, long count, string word) =>
+        _item.Find(name) is not { Kind: JsonItemKind.Text } text ? Numbers(name, count)
+            : text.Text == word ? null
+            : throw Refusal(name, "not-one-of", $"a list of numbers or \"{word}\"");
+
     /// <summary>Reads a list of counts.</summary>
     public IReadOnlyList<int> Counts(string name) => [.. Each(name, JsonItemKind.Number, "a number", Whole)];
 

@@ -177,6 +177,16 @@ public sealed class StoredReportTests
         Chain = Maybe(r, () => new ReportChain(new(12, Band(r)), new(12, Band(r)))),
         Features = [.. Labels[..2].Select(name => Feature(r, name))],
         KeyPoints = [.. Labels.Select((l, i) => KeyPoint(r, l, Labels[i % 2]))],
+        Pair = Maybe(r, () => new PairAssembly
+        {
+            Assembles = r.Next(2) == 0,
+            Probability = r.Next(1001) / 1000.0,
+            TightestMm = r.Next(2) == 0 ? null : Mm(r),
+            Interval95Mm = Range(r),
+            Contacts = Some(r, () => new PairContact(Place(r), Text(r), Text(r))),
+            Play = Maybe(r, () => new PairPlay(Range(r), Range(r), Range(r))),
+            Gaps = Some(r, () => new PairGap(Text(r), Place(r), new(Mm(r), Mm(r)), Mm(r))),
+        }),
         Program = new(
             "out/a.nc",
             Text(r),
@@ -196,6 +206,8 @@ public sealed class StoredReportTests
         Warnings = Some(r, () => new ReportWarning(Text(r), Text(r), Some(r, () => Text(r)))),
         Notes = Some(r, () => Text(r)),
     };
+
+    private static PlayRange? Range(Random r) => r.Next(2) == 0 ? null : new(Mm(r), Mm(r));
 
     private static ReportFeature Feature(Random r, string name) => new()
     {

@@ -106,7 +106,8 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder, Failur
     {
         var verdict = _report.Verdict;
         page.Verdict(VerdictWords.Of(verdict), verdict.IsToCut);
-        string?[] more = [_report.Acceptance.Sentence, VerdictWords.Risk(_report), VerdictWords.Worst(verdict)];
+        var pair = _report.Pair is { } assembled ? PairWords.Of(assembled) : null;
+        string?[] more = [_report.Acceptance.Sentence, pair, VerdictWords.Risk(_report), VerdictWords.Worst(verdict)];
         foreach (var sentence in more.OfType<string>().Concat(VerdictWords.Trust(verdict)))
         {
             page.Line(sentence);

@@ -18,6 +18,9 @@ public static class MatchReportHtml
             "matching the counterpart to the part",
             [
                 new("pictures", "Before and after", html => MatchPictures.Write(html, report)),
+                .. report.Pair is { Gaps.Count: > 0 } pair
+                    ? (PageSection[])[new("pair", "The pair, assembled", html => MatchPair.Write(html, pair))]
+                    : [],
                 new("summary", "Summary", html => MatchSummary.Write(html, report)),
                 new("decisions", "Decisions", html => MatchDecisions.Write(html, report)),
                 .. report.Correction is { } correction

@@ -22,5 +22,10 @@ internal static class MatchLead
                     ("href", "#summary"));
             }
         }
+
+        if (report.Pair is { } pair)
+        {
+            html.Put("p", PairWords.Of(pair), ("id", "pair-verdict"));
+        }
     }
 }

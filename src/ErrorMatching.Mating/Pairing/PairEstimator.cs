@@ -1,0 +1,149 @@
+using ErrorMatching.Geometry;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>Puts the part, as it was estimated, into the counterpart that a program will cut.</summary>
+internal sealed class PairEstimator
+{
+    // The boundary of a circle or slot is compared at so many places all around.
+    private const int AroundPlaces = 72;
+
+    // Normals that differ by less are one direction.
+    private const double SameDirection = 1e-6;
+
+    private readonly NcPath _path;
+    private readonly IReadOnlyList<FeatureMap> _maps;
+    private readonly RigidTransform2 _toPart;
+    private readonly List<PairPlace> _places = [];
+    private readonly List<PairFactor> _factors = [];
+
+    private PairEstimator(NcPath path, IReadOnlyList<FeatureMap> maps, RigidTransform2 toPart) =>
+        (_path, _maps, _toPart) = (path, maps, toPart);
+
+    /// <summary>The pair, after a prediction for a program.</summary>
+    /// <param name="path">The program before, interpreted.</param>
+    /// <param name="maps">The features mapped onto it.</param>
+    /// <param name="estimator">The estimate of the boundary.</param>
+    /// <param name="toPart">Transform from the program's frame to the part's.</param>
+    /// <param name="cuts">The cuts of each run of the program to cut.</param>
+    /// <returns>Null if the outline does not tell: fewer than two places, one direction of all normals, or several planes.</returns>
+    public static PairAssembly? Of(
+        NcPath path, IReadOnlyList<FeatureMap> maps, CourseEstimator estimator, RigidTransform2 toPart, Func<RunEstimate, RunPath> cuts)
+    {
+        if (maps.Select(m => m.Feature.Plane).Distinct().Count() > 1)
+        {
+            return null;
+        }
+
+        var pair = new PairEstimator(path, maps, toPart);
+        foreach (var run in estimator.Places().GroupBy(p => p.Run))
+        {
+            pair.AddElements(run.Key, [.. run], cuts(run.Key));
+        }
+
+        foreach (var run in estimator.Runs.Where(r => r.Run.Elements.Count == 0))
+        {
+            pair.AddWhole(run, cuts(run));
+        }
+
+        return pair.Assembled();
+    }
+
+    private PairAssembly? Assembled()
+    {
+        if (_places.Count < 2 || _places.TrueForAll(p => (p.Normal - _places[0].Normal).Length < SameDirection))
+        {
+            return null;
+        }
+
+        double[] gaps = [.. _places.Select(p => p.GapMm)];
+        var motions = new PairMotions(
+            [.. _places.Select(p => p.Place)], [.. _places.Select(p => p.Normal)], gaps.Max(Math.Abs));
+        var seat = PairSeat.Of(motions, gaps);
+        var pair = new PairAssembly
+        {
+            Assembles = true,
+            Probability = 1,
+            Contacts = [.. seat.Contacts.Select(Contact)],
+            Play = seat.Play,
+            Gaps = [
+                .. _places.Select((p, k) => (p, Mm: seat.GapsMm[k])).Where(g => g.p.IsBetween)
+                    .Select(g => new PairGap(_maps[g.p.Feature].Feature.Name, g.p.Place, g.p.Normal, g.Mm))],
+        };
+        if (seat.TightestMm is null)
+        {
+            return pair;
+        }
+
+        var draws = PairDraws.Of(motions, gaps, _factors);
+        return pair with
+        {
+            Assembles = draws.Probability >= 0.5,
+            Probability = draws.Probability,
+            TightestMm = draws.MedianMm,
+            Interval95Mm = new(draws.FromMm, draws.ToMm),
+        };
+    }
+
+    private PairContact Contact(int place) => new(
+        _places[place].Place,
+        _maps[_places[place].Feature].Feature.Name,
+        _path.Program.NameOf(_path.Program[_path.Motions[_places[place].Motion].Block]));
+
+    // A key point on an element says nothing of its own where the boundary between the points is compared: it is measured with an error,
+    // which the estimate has smoothed. A cut at another depth makes the same boundary once more.
+    private void AddElements(RunEstimate run, ComparedPlace[] compared, RunPath cuts)
+    {
+        var between = compared.Where(p => p.Point < 0).Select(p => p.Terms[0].Element).ToHashSet();
+        ComparedPlace[] places = [
+            .. compared.Where(p => p.Terms.Count > 0 && IsFirstPass(run, p)
+                && (p.Point < 0 || p.Terms.Count > 1 || p.Terms[0].Weight != 1 || !between.Contains(p.Terms[0].Element)))];
+        if (places.Length == 0)
+        {
+            return;
+        }
+
+        _factors.Add(PairFactor.Of(_places.Count, run.Field!.Together([.. places.Select(p => p.Terms)])));
+        foreach (var place in places)
+        {
+            Add(place.Feature, place.Place, place.Normal, cuts, place.NominalMm, -place.ResidualMm, isBetween: place.Point < 0);
+        }
+    }
+
+    private bool IsFirstPass(RunEstimate run, ComparedPlace place) => place.Terms.All(
+        t => _maps.Any(m => ReferenceEquals(m.Passes[0], run.Run.Elements[t.Element].Pass)));
+
+    private void Add(int feature, Point2 place, Vector2 normal, RunPath cuts, double nominalMm, double beyondMm, bool isBetween)
+    {
+        var foot = cuts.FootOf(place, normal);
+        _places.Add(new(
+            feature, _toPart.Apply(place), _toPart.Apply(normal), nominalMm - foot.DistanceMm + beyondMm, foot.Motion, isBetween));
+    }
+
+    // A circle or slot is estimated as a whole: how it is shifted, how it grows, and with flanks how it turns and stretches.
+    private void AddWhole(RunEstimate run, RunPath cuts)
+    {
+        var feature = run.Points[0].Feature;
+        var pass = _maps[feature].Passes[0];
+        if (!run.Run.Contains(pass))
+        {
+            return;
+        }
+
+        var whole = new BoundaryElement(pass, pass.First, pass.Last, ElementForm.Free);
+        var around = Enumerable.Range(0, AroundPlaces).Select(
+            k => run.Run.PlaceAt(whole, whole.ToMm * (k + 0.5) / AroundPlaces)).ToArray();
+        var shape = WholeShape.Of(
+            [.. run.Points.Select(p => (p.Theoretical, p.Normal, p.Deviation.Dot(p.Normal)))],
+            [.. FeaturePass.Moving(_path, pass.First, pass.Last).Select(i => _path.Motions[i]).Where(m => !m.IsArc).Select(m => m.Segment)],
+            run.UncertaintyMm);
+        _factors.Add(new(_places.Count, shape.Factor(around)));
+        foreach (var (place, normal) in around)
+        {
+            Add(feature, place + (normal * shape.DeviationAt(place, normal)), normal, cuts, run.Run.Radius, 0, isBetween: true);
+        }
+    }
+
+    private sealed record PairPlace(int Feature, Point2 Place, Vector2 Normal, double GapMm, int Motion, bool IsBetween);
+}

@@ -1,0 +1,54 @@
+using System.Globalization;
+using ErrorMatching.Reporting;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>Report texts on a pair, assembled.</summary>
+public static class PairWords
+{
+    /// <summary>Whether the pair goes together, how surely, and with how much air or overlap where.</summary>
+    public static string Of(PairAssembly pair)
+    {
+        ArgumentNullException.ThrowIfNull(pair);
+        if (pair.TightestMm is not { } tightest)
+        {
+            return $"It goes together: the part can be lifted off. Pressed home, it rests on {Blocks(pair)}{LargestGap(pair)}.";
+        }
+
+        var half = pair.Interval95Mm is { } interval ? (interval.To - interval.From) / 2 : (double?)null;
+        var probability = ReportNumber.Probability(pair.Probability);
+        return (pair.Assembles, tightest < 0) switch
+        {
+            (true, _) => $"It goes together ({probability}), with {Size(Math.Max(0, tightest), half)} mm of air at the tightest "
+                + $"{(BlocksOf(pair).Length == 1 ? "place" : "places")}, {Blocks(pair)}.",
+            (false, true) => $"It does not go together ({probability}): {Size(-tightest, half)} mm overlap at {Blocks(pair)}.",
+            (false, false) => $"It does not go together ({probability}): no air is left at {Blocks(pair)}.",
+        };
+    }
+
+    /// <summary>How far the part can move, in a sentence; null if it does not go together.</summary>
+    public static string? Play(PairAssembly pair)
+    {
+        ArgumentNullException.ThrowIfNull(pair);
+        return pair.Play is not { } play ? null
+            : $"Play: x {Range(play.XMm, " mm")}, y {Range(play.YMm, " mm")}, turn {Range(play.TurnDeg, "°")}.";
+    }
+
+    private static string Range(PlayRange? range, string unit) =>
+        range is not { } r ? PairPlay.Free : $"{ReportNumber.Signed(r.From)} to {ReportNumber.Signed(r.To)}{unit}";
+
+    private static string LargestGap(PairAssembly pair) =>
+        pair.Gaps.Count == 0 ? "" : $"; the largest gap left is {ReportNumber.Plain(pair.Gaps.Max(g => g.GapMm))} mm";
+
+    private static string[] BlocksOf(PairAssembly pair) => [.. pair.Contacts.Select(c => c.Block).Distinct(StringComparer.Ordinal)];
+
+    private static string Blocks(PairAssembly pair) => ReportNames.Of(BlocksOf(pair));
+
+    // Two digits of the interval, as in the verdict.
+    private static string Size(double mm, double? half)
+    {
+        var format = half is < 0.00995 ? "0.0000" : "0.000";
+        return mm.ToString(format, CultureInfo.InvariantCulture)
+            + (half is > 0 and var h ? " ± " + h.ToString(format, CultureInfo.InvariantCulture) : "");
+    }
+}
