@@ -395,7 +395,8 @@ public static class Recorded
     [
         Arrived, OfCutAndPart, OfCut, OfPart, Of, DisplacedAt, DisplacedNothing, DisplacedInSum, Displaced, Computed, AtPointOf,
         AtPointAndBeside,
-        AtPoint, AtBlock, PolicyWithin, Policy, NewerMeasurement, NewerOfSamePiece, GivenAgain, ComputedAnew, FirstArticle, NotCompared,
+        AtPoint, AtBlock, PolicyWithin, Policy, NewerMeasurement, NewerOfSamePiece, GivenAgain, ComputedAnew, FirstArticle, NotToCut,
+        VerifiedWithin, VerifiedOutside, NotCompared,
         NotComparable, PartRecorded, Approved,
         PieceCut, SlotUsable, LookedAtBase, TriedToRead, SlotEmpty, SlotHeld, CellStopped, HeldAfterCut, ReadBack, GivenBack, MachineWrote,
         EitherProgram, ChangedBefore, OfOtherCell, ChangedMeanwhile, NamedOtherwise, NamedOtherwiseThere, NameOfSlot, NameOfJob, NameOfFile,

@@ -79,6 +79,9 @@ public sealed class MatchTests
         const string Line = "\"blocks\": [\"N120\"], \"toleranceMm\": ";
         shop.Edit(Job, Line + "[-0.05, 0.05]", Line + "[0.01, 0.05]");
         var run = await shop.Run($"match {Job} --out out");
+        Assert.Equal(2, run.Exit);
+        Assert.False(File.Exists(shop["out", "counterpart.nc"]));
+        Assert.True(File.Exists(shop["out", "report.html"]));
         Assert.StartsWith("2 of 16 points will be outside their limits: points 1 and 2, ", run.Output, StringComparison.Ordinal);
         Assert.Contains(
             "\nThe compensation drives point 2 out of its limits; uncompensated it is within them.\n",
