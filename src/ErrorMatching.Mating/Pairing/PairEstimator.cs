@@ -9,6 +9,9 @@ internal sealed class PairEstimator
     // The boundary of a circle or slot is compared at so many places all around.
     private const int AroundPlaces = 72;
 
+    // Of a longer boundary every second place, or every third, is compared: the time of a match must not grow with it.
+    private const int MostPlaces = 500;
+
     // Normals that differ by less are one direction.
     private const double SameDirection = 1e-6;
 
@@ -37,9 +40,10 @@ internal sealed class PairEstimator
         }
 
         var pair = new PairEstimator(path, maps, toPart);
-        foreach (var run in estimator.Places().GroupBy(p => p.Run))
+        var compared = estimator.Places();
+        foreach (var run in compared.GroupBy(p => p.Run))
         {
-            pair.AddElements(run.Key, [.. run], cuts(run.Key));
+            pair.AddElements(run.Key, [.. run], cuts(run.Key), 1 + (compared.Count / MostPlaces));
         }
 
         foreach (var run in estimator.Runs.Where(r => r.Run.Elements.Count == 0))
@@ -93,12 +97,13 @@ internal sealed class PairEstimator
 
     // A key point on an element says nothing of its own where the boundary between the points is compared: it is measured with an error,
     // which the estimate has smoothed. A cut at another depth makes the same boundary once more.
-    private void AddElements(RunEstimate run, ComparedPlace[] compared, RunPath cuts)
+    private void AddElements(RunEstimate run, ComparedPlace[] compared, RunPath cuts, int step)
     {
         var between = compared.Where(p => p.Point < 0).Select(p => p.Terms[0].Element).ToHashSet();
         ComparedPlace[] places = [
             .. compared.Where(p => p.Terms.Count > 0 && IsFirstPass(run, p)
                 && (p.Point < 0 || p.Terms.Count > 1 || p.Terms[0].Weight != 1 || !between.Contains(p.Terms[0].Element)))];
+        places = [.. places.Where((p, i) => p.Point >= 0 || i % step == 0 || IsEnd(i))];
         if (places.Length == 0)
         {
             return;
@@ -109,6 +114,11 @@ internal sealed class PairEstimator
         {
             Add(place.Feature, place.Place, place.Normal, cuts, place.NominalMm, -place.ResidualMm, isBetween: place.Point < 0);
         }
+
+        // The first or the last place of an element, where a part touches most often.
+        bool IsEnd(int i) => i == 0 || i == places.Length - 1 || ElementOf(i - 1) != ElementOf(i) || ElementOf(i + 1) != ElementOf(i);
+
+        int ElementOf(int i) => places[i].Point >= 0 ? -1 : places[i].Terms[0].Element;
     }
 
     private bool IsFirstPass(RunEstimate run, ComparedPlace place) => place.Terms.All(
