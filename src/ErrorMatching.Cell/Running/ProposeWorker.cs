@@ -103,7 +103,10 @@ internal sealed class ProposeWorker(CellFlow flow)
         }
 
         var verdict = ReportReader.Document(flow.Store.Content(report)).OptionalObject("verdict");
-        return (verdict?.OptionalFlag("cut") ?? verdict?.OptionalFlag("inTolerance")) != false;
+
+        // Whether the origin is right, no program can tell.
+        return (verdict?.OptionalFlag("cut") ?? verdict?.OptionalFlag("inTolerance")) != false
+            && verdict?.OptionalText("code") != ReportWords.Of(VerdictCode.CheckOrigin);
     }
 
     private static bool IsWithin(Correction proposed, PolicySettings policy) =>

@@ -26,6 +26,7 @@ internal static class MatchVerdictText
                 verdict.Worst is { } worst ? texts.With("Pair.NoLimits", Size(worst)) : texts["Pair.NoPoints"], "Pair.Cut"),
             VerdictCode.CheckOrigin => (
                 Sentence.Joined(Within(verdict, "Pair.AllWithin"), Origin(verdict.Trust!.Motion!)), "Pair.CutIfSo"),
+            VerdictCode.WillNotAssemble => (texts.With("Pair.Overlaps", Within(verdict)), "Pair.DoNotCut"),
             VerdictCode.SuspectPoints => (Suspects(verdict.Trust!.Suspects), "Pair.NotBefore"),
             VerdictCode.NotAccepted => (
                 texts.Counted("Pair.NotAccepted", verdict.NotAccepted.Count, Within(verdict), VerdictParts.Names(verdict.NotAccepted)),
@@ -66,7 +67,7 @@ internal static class MatchVerdictText
     public static Severity SeverityOf(VerdictCode code) => code switch
     {
         VerdictCode.Within => Severity.Quiet,
-        VerdictCode.Outside or VerdictCode.SuspectPoints or VerdictCode.ProofFails => Severity.Alarm,
+        VerdictCode.Outside or VerdictCode.WillNotAssemble or VerdictCode.SuspectPoints or VerdictCode.ProofFails => Severity.Alarm,
         _ => Severity.Attention,
     };
 

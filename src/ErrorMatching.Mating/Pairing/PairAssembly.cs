@@ -30,6 +30,13 @@ public sealed record PairAssembly
     /// <summary>The expected gaps along the boundary at the seat, in the order of its elements.</summary>
     public IReadOnlyList<PairGap> Gaps { get; init; } = [];
 
+    /// <summary>True if the part goes together with the counterpart, or overlaps it by no more than the limits of a mating error may
+    /// allow. A pair without a wanted gap that is exactly right is one of these in half of all cases.</summary>
+    /// <param name="limits">The limits of the mating error, of each feature.</param>
+    public bool IsWithin(IEnumerable<ToleranceBand> limits) =>
+        Assembles || Interval95Mm is not { } interval || interval.To >= -limits.Where(l => l.WidthMm > 0).Select(l => l.UpperMm)
+            .DefaultIfEmpty(double.PositiveInfinity).Max();
+
     /// <summary>Writes it into the open object.</summary>
     internal void Write(ReportWriter w)
     {

@@ -47,6 +47,12 @@ public sealed record MatchVerdict
     /// <summary>The limits of the mating error if all points have the same; otherwise null.</summary>
     public required ToleranceBand? Limits { get; init; }
 
+    /// <summary>The limits of the mating error, of each feature.</summary>
+    public required IReadOnlyList<ToleranceBand> AllLimits { get; init; }
+
+    /// <summary>The part put into the counterpart; null if the outline does not tell, and in reports of earlier versions.</summary>
+    public required PairAssembly? Pair { get; init; }
+
     /// <summary>The error with the largest magnitude that will be left at a key point; null without key points.</summary>
     public required ErrorLeft? Worst { get; init; }
 
@@ -82,6 +88,7 @@ public sealed record MatchVerdict
             Code = !report.Proof.Holds ? VerdictCode.ProofFails
                 : report.Trust is { Suspects.Count: > 0 } ? VerdictCode.SuspectPoints
                 : outside.Count > 0 ? VerdictCode.Outside
+                : report.Pair?.IsWithin(limits.Values) == false ? VerdictCode.WillNotAssemble
                 : between.Count > 0 ? VerdictCode.OutsideBetween
                 : notAccepted.Count > 0 ? VerdictCode.NotAccepted
                 : report.Trust is { Motion.AsksForOrigin: true } ? VerdictCode.CheckOrigin
@@ -95,6 +102,8 @@ public sealed record MatchVerdict
             NotAccepted = notAccepted,
             OutsideBetween = between,
             Limits = all.Length == 1 ? all[0] : null,
+            AllLimits = [.. limits.Values],
+            Pair = report.Pair,
             Worst = Largest(report.KeyPoints.Select(Left)),
             Tightest = judged.Select(Left).MinBy(e => e.MarginMm),
             WorstBetween = Largest(report.Features.Where(f => f.WorstBetween is not null).Select(f => ErrorLeft.Between(f)!)),
@@ -186,6 +195,9 @@ public enum VerdictCode
 
     /// <summary>A key point will be outside its limits.</summary>
     Outside,
+
+    /// <summary>The part and the counterpart overlap by more than the limits allow, however they are put together.</summary>
+    WillNotAssemble,
 
     /// <summary>A measured point does not fit the others: measure it again.</summary>
     SuspectPoints,

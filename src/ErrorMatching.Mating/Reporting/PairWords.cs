@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Geometry;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
@@ -7,7 +8,9 @@ namespace ErrorMatching.Mating;
 public static class PairWords
 {
     /// <summary>Whether the pair goes together, how surely, and with how much air or overlap where.</summary>
-    public static string Of(PairAssembly pair)
+    /// <param name="pair">The pair.</param>
+    /// <param name="limits">The limits of the mating error, of each feature; null to leave them out.</param>
+    public static string Of(PairAssembly pair, IReadOnlyList<ToleranceBand>? limits = null)
     {
         ArgumentNullException.ThrowIfNull(pair);
         if (pair.TightestMm is not { } tightest)
@@ -21,6 +24,9 @@ public static class PairWords
         {
             (true, _) => $"It goes together ({probability}), with {Size(Math.Max(0, tightest), half)} mm of air at the tightest "
                 + $"{(BlocksOf(pair).Length == 1 ? "place" : "places")}, {Blocks(pair)}.",
+            (false, true) when limits is not null && pair.IsWithin(limits) =>
+                $"It goes together with pressure, which the limits allow ({probability} without): {Size(-tightest, half)} mm overlap at "
+                    + $"{Blocks(pair)}.",
             (false, true) => $"It does not go together ({probability}): {Size(-tightest, half)} mm overlap at {Blocks(pair)}.",
             (false, false) => $"It does not go together ({probability}): no air is left at {Blocks(pair)}.",
         };

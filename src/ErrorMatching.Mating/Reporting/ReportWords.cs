@@ -14,14 +14,15 @@ public static class ReportWords
         _ => "compensated",
     };
 
-    /// <summary>within-limits, no-limits, check-origin, not-accepted, outside-between, outside-limits, suspect-points or
-    /// proof-fails.</summary>
+    /// <summary>within-limits, no-limits, check-origin, not-accepted, outside-between, outside-limits, suspect-points,
+    /// will-not-assemble or proof-fails.</summary>
     public static string Of(VerdictCode code) => code switch
     {
         VerdictCode.Within => "within-limits",
         VerdictCode.NoLimits => "no-limits",
         VerdictCode.CheckOrigin => "check-origin",
         VerdictCode.SuspectPoints => "suspect-points",
+        VerdictCode.WillNotAssemble => "will-not-assemble",
         VerdictCode.NotAccepted => "not-accepted",
         VerdictCode.OutsideBetween => "outside-between",
         VerdictCode.Outside => "outside-limits",

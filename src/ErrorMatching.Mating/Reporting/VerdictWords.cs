@@ -22,6 +22,8 @@ public static class VerdictWords
             VerdictCode.CheckOrigin =>
                 $"{Within(verdict)}.{unchanged} But {Motion(verdict.Trust!.Motion!)} of what was measured: is the origin right? "
                     + "Cut it if so.",
+            VerdictCode.WillNotAssemble =>
+                $"{Within(verdict)}, but the pair overlaps by more than the limits allow.{unchanged} Do not cut it.",
             VerdictCode.SuspectPoints => $"{Suspects(verdict.Trust!.Suspects)} Do not cut it before.",
             VerdictCode.NotAccepted =>
                 $"{Within(verdict)}, but the decision rule does not accept {Points(verdict.NotAccepted)}: too near the "

@@ -106,7 +106,7 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder, Failur
     {
         var verdict = _report.Verdict;
         page.Verdict(VerdictWords.Of(verdict), verdict.IsToCut);
-        var pair = _report.Pair is { } assembled ? PairWords.Of(assembled) : null;
+        var pair = _report.Pair is { } assembled ? PairWords.Of(assembled, verdict.AllLimits) : null;
         string?[] more = [_report.Acceptance.Sentence, pair, VerdictWords.Risk(_report), VerdictWords.Worst(verdict)];
         foreach (var sentence in more.OfType<string>().Concat(VerdictWords.Trust(verdict)))
         {

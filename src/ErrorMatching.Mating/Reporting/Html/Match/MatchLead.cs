@@ -25,7 +25,7 @@ internal static class MatchLead
 
         if (report.Pair is { } pair)
         {
-            html.Put("p", PairWords.Of(pair), ("id", "pair-verdict"));
+            html.Put("p", PairWords.Of(pair, verdict.AllLimits), ("id", "pair-verdict"));
         }
     }
 }
