@@ -1,3 +1,4 @@
+using ErrorMatching.Mating;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;

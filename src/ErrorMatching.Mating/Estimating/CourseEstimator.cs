@@ -139,8 +139,8 @@ internal sealed class CourseEstimator
                 rewrite.Result.Patches.Count == 0 ? _path : NcInterpreter.Run(rewrite.Result.Program, _path));
     }
 
-    /// <summary>Compares the measured points with each other, as measured on the boundary that the program before cuts.</summary>
-    public MeasurementTrust Trust() => MeasurementTrust.Of(_job, _runs, _decision);
+    /// <summary>The runs that cut the features, with their key points.</summary>
+    public IReadOnlyList<RunEstimate> Runs => _runs;
 
     /// <summary>Predicts the mating error that a program leaves.</summary>
     /// <param name="after">The program to cut: the original one, or that of the estimate.</param>

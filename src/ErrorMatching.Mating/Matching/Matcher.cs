@@ -79,7 +79,7 @@ public static class Matcher
             NcPath after, MatingPrediction prediction, NcProof proof, DisplacementWish? wish, Rewrite? rewrite, Marker? marker) =>
             new(Input, Path, after, Maps, Part, Counterpart, Decision, prediction, wish, rewrite, marker, proof)
             {
-                Trust = Estimator().Trust(),
+                Trust = MeasurementTrust.Of(Input.Job, Estimator().Runs, Decision),
             };
 
         // The program as it is, which nothing changes.

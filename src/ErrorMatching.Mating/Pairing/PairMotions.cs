@@ -3,8 +3,8 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Mating;
 
 /// <summary>What a small motion of the part does to its gaps: at a place p with the normal n, a shift t and a turn w about the middle
-/// change the gap by n . t + w (p x n). The turn is expressed by the way of a typical place, so that all three parts of a motion are lengths of
-/// one size.</summary>
+/// change the gap by n . t + w (p x n). The turn is expressed by the way of a typical place, so that all three parts of a motion are
+/// lengths of one size.</summary>
 internal sealed class PairMotions
 {
     /// <summary>Number of parts of a motion: a shift in x and in y, and a turn.</summary>

@@ -83,7 +83,9 @@ public sealed record CommonMotion(
             mostMm)
         {
             Uncertainty = (
-                noise * Math.Sqrt(variances[0]), noise * Math.Sqrt(variances[1]), Angle.FromRadians(noise * Math.Sqrt(variances[2]) / scale).Degrees),
+                noise * Math.Sqrt(variances[0]),
+                noise * Math.Sqrt(variances[1]),
+                Angle.FromRadians(noise * Math.Sqrt(variances[2]) / scale).Degrees),
         };
     }
 

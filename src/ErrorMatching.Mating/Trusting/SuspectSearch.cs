@@ -40,7 +40,9 @@ internal static class SuspectSearch
     /// <param name="uncertaintyMm">Standard uncertainty of a deviation.</param>
     public static IReadOnlyList<Suspect> AroundShape(IReadOnlyList<RunPoint> points, IReadOnlyList<double> values, double uncertaintyMm) =>
         All(points.Count, left => WorstAroundShape(
-            [.. left.Select(i => points[i])], [.. left.Select(i => values[i])], Math.Max(uncertaintyMm, DeviationField.LeastUncertaintyMm)));
+            [.. left.Select(i => points[i])],
+            [.. left.Select(i => values[i])],
+            Math.Max(uncertaintyMm, DeviationField.LeastUncertaintyMm)));
 
     // If more than a fifth of the points do not fit, the model is wrong, not the points.
     private static List<Suspect> All(int count, Func<IReadOnlyList<int>, Suspect?> worst)

@@ -27,7 +27,7 @@ public sealed partial class FolderTests
         ["Mating"] =
         [
             "", "Tolerances", "Measuring", "Cutting", "Displacing", "Features", "Job", "Mapping", "Aligning", "Lots", "Deciding",
-            "Estimating", "Choosing", "Pairing", "Matching", "Verifying", "Reporting",
+            "Estimating", "Trusting", "Choosing", "Pairing", "Matching", "Verifying", "Reporting",
         ],
         ["Freeform"] =
         [

@@ -197,7 +197,8 @@ public sealed class PairMatchTests
         var seating = ReadingCost.Seconds(() => PairSeat.Of(motions, gaps));
         TestContext.Current.TestOutputHelper?.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
-            $"{sample}: {PairWords.Of(pair)} {PairWords.Play(pair)} {gaps.Length} places; of the processor, draws take {1000 * drawing:0.0} ms "
+            $"{sample}: {PairWords.Of(pair)} {PairWords.Play(pair)} {gaps.Length} places; of the processor, draws take "
+                + $"{1000 * drawing:0.0} ms "
                 + $"and the seat {1000 * seating:0.0} ms ({ways:0.000})"));
         Assert.Equal(liftsOff, pair.TightestMm is null);
         Assert.InRange(pair.Contacts.Count, 1, 4);
