@@ -139,9 +139,6 @@ internal sealed class CourseEstimator
                 rewrite.Result.Patches.Count == 0 ? _path : NcInterpreter.Run(rewrite.Result.Program, _path));
     }
 
-    /// <summary>The runs that cut the features, with their key points.</summary>
-    public IReadOnlyList<RunEstimate> Runs => _runs;
-
     /// <summary>Predicts the mating error that a program leaves.</summary>
     /// <param name="after">The program to cut: the original one, or that of the estimate.</param>
     public MatingPrediction Predict(NcPath after)
