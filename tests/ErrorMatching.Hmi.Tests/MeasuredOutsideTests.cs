@@ -92,7 +92,7 @@ public sealed class MeasuredOutsideTests
         seat.Tap("measured-4").See("piece-title");
         Assert.Equal("#3 · 0002", seat.TextOf("piece-title"));
         Assert.Equal(
-            [("#3 · 0002", Severity.Attention), ("#1 · 0001", Severity.Attention)],
+            [("#3 · 0002", Severity.Alarm), ("#1 · 0001", Severity.Alarm)],
             ((VerificationViewModel)seat.Shell.Current!).Rows.Where(r => r.Kind == "Measured").Select(r => (r.Title, r.Severity)));
         seat.Tap("nav-overview").WaitFor(
             () => (OverviewViewModel)seat.Shell.Current! is { Counts: "", Summary: "Waiting for approval: 1" },

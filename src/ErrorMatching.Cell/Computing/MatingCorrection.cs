@@ -10,6 +10,9 @@ namespace ErrorMatching.Cell;
 /// own.</summary>
 internal sealed class MatingCorrection
 {
+    // The stored report lists all.
+    private const int MostNamed = 6;
+
     private readonly CorrectionRequest _request;
     private readonly PolicySettings _policy;
     private readonly byte[] _job;
@@ -95,6 +98,10 @@ internal sealed class MatingCorrection
             };
     }
 
+    // A list without words, which need no translation.
+    private static string Labels(IReadOnlyList<string> points) =>
+        string.Join(", ", points.Take(MostNamed)) + (points.Count > MostNamed ? " …" : "");
+
     private static NothingToSend Verified(CorrectionBasis basis, VerifyReport report)
     {
         var json = VerifyReportJson.Write(report);
@@ -102,7 +109,7 @@ internal sealed class MatingCorrection
         Statement[] verdict = report.Verdict switch
         {
             { Code: VerifyCode.Outside } v =>
-                [Recorded.VerifiedOutside.With(v.Outside.Count, v.Points, ReportNames.Of(v.Outside))],
+                [Recorded.VerifiedOutside.With(v.Outside.Count, v.Points, Labels(v.Outside))],
             { Code: VerifyCode.Within } v => [Recorded.VerifiedWithin.With(v.Within, v.Points)],
             _ => [],
         };
