@@ -17,8 +17,13 @@ public sealed class ProgramThatCutTests : IDisposable
         var refused = await cell.Until(3, CorrectionState.Refused);
         Assert.Equal("not-released", refused.Code);
         Assert.Contains("release CONFIG 2", refused.Reason!.Sentence, StringComparison.Ordinal);
-        new CorrectionDecisions(cell.Store).Release(2, "olga", null);
+        var decisions = new CorrectionDecisions(cell.Store);
+        decisions.Release(2, "olga", null);
         cell.Drop("cp_2.csv", PairedCell.Counterpart + "\n");
+
+        // The same errors again, although they were corrected: points will be outside their limits, so a person decides.
+        await cell.Until(4, CorrectionState.Proposed);
+        decisions.Approve(4, "sam", null);
         Assert.Equal(cell.Store.Find(2)!.ProgramSha256, (await cell.Until(4, CorrectionState.Verified)).BaseSha256);
     }
 
