@@ -260,7 +260,7 @@ public static class MatchReporter
             yield return warning;
         }
 
-        if (result.Trust.Scatter is { IsContradicted: true } scatter)
+        if (result.Trust.Scatter is { IsTooMuch: true } scatter)
         {
             yield return WarningForms.Warning(
                 WarningForms.UncertaintyContradicted,
@@ -294,6 +294,13 @@ public static class MatchReporter
         if (result.Lot?.Next is { } lot)
         {
             notes.AddRange(LotWords.Notes(lot));
+        }
+
+        if (result.Trust.Scatter is { IsTooLittle: true } scatter)
+        {
+            notes.Add($"The points scatter by {ReportNumber.Rough(scatter.Ratio)} times the uncertainty that the job states "
+                + $"({ReportNumber.Rough(scatter.From)} to {ReportNumber.Rough(scatter.To)}, 95 %). What all points share shows in no "
+                + "scatter.");
         }
 
         foreach (var map in result.Maps.Where(m => m.Passes.Count > 1))

@@ -16,8 +16,12 @@ public sealed record ScatterRatio(double Ratio, double From, double To)
     private const int Steps = 24;
     private const double Least = 0.125, Step = 1.189207115002721;
 
-    /// <summary>True if the stated uncertainty is outside the interval.</summary>
-    public bool IsContradicted => From > 1 || To < 1;
+    /// <summary>True if the points scatter by more than what is stated: intervals and risk are too small.</summary>
+    public bool IsTooMuch => From > 1;
+
+    /// <summary>True if they scatter by less: intervals and risk are larger than they need be, unless errors are shared by all points,
+    /// which no scatter shows.</summary>
+    public bool IsTooLittle => To < 1;
 
     /// <summary>The ratio that explains the points best; null if they do not tell one.</summary>
     /// <remarks>The evidence of the values for each ratio, with the scales of the course chosen anew for each (Rasmussen and Williams

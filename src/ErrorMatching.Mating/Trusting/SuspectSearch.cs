@@ -13,6 +13,9 @@ internal static class SuspectSearch
     // Beside a bad point its neighbors look bad, too: the worst few are tried.
     private const int Tried = 3;
 
+    // Nothing beyond an end contradicts it: a cut may bend there in truth, as that of the paper's curve does.
+    private const double OfEnd = 2.0 / 3;
+
     // A direction that the points do not determine.
     private const double LeastShare = 1e-6;
 
@@ -49,7 +52,7 @@ internal static class SuspectSearch
     {
         var found = new List<Suspect>();
         List<int> left = [.. Enumerable.Range(0, count)];
-        while (left.Count >= Fewest && worst(left) is { } next && Math.Abs(next.Sigmas) >= MostSigmas(left.Count))
+        while (left.Count >= Fewest && worst(left) is { } next && next.Judged >= MostSigmas(left.Count))
         {
             found.Add(next with { Row = left[next.Row] });
             left.RemoveAt(next.Row);
@@ -69,8 +72,20 @@ internal static class SuspectSearch
         {
             BoundaryRow[] others = [.. rows.Where((_, k) => k != i)];
             var (off, sigma) = LeftOut(PriorChoice.Of(elements, others, uncertaintyMm).OfPiece, rows, uncertaintyMm)[i];
-            return new Suspect(i, off, off / sigma);
-        }).MaxBy(s => Math.Abs(s.Sigmas));
+            return new Suspect(i, off, off / sigma) { Share = IsEnd(elements, rows, i) ? OfEnd : 1 };
+        }).MaxBy(s => s.Judged);
+    }
+
+    // The outermost point of a curve.
+    private static bool IsEnd(IReadOnlyList<BoundaryElement> elements, BoundaryRow[] rows, int row)
+    {
+        if (rows[row].Terms is not [var own] || elements[own.Element].Form != ElementForm.Free)
+        {
+            return false;
+        }
+
+        double[] places = [.. rows.SelectMany(r => r.Terms).Where(t => t.Element == own.Element).Select(t => t.AlongMm)];
+        return own.AlongMm <= places.Min() || own.AlongMm >= places.Max();
     }
 
     private static (double Off, double Sigma)[] LeftOut(DeviationPrior[] priors, BoundaryRow[] rows, double uncertaintyMm)
@@ -117,12 +132,19 @@ internal static class SuspectSearch
 
             var others = Math.Sqrt(Math.Max(0, squares - (left[i] * left[i] / own)) / free);
             return new Suspect(i, left[i] / own, left[i] / (Math.Max(others, noise) * Math.Sqrt(own)));
-        }).MaxBy(s => Math.Abs(s.Sigmas));
+        }).MaxBy(s => s.Judged);
     }
 
     /// <summary>A point that may not fit.</summary>
     /// <param name="Row">Its index.</param>
     /// <param name="OffMm">How far it is off what the others say.</param>
     /// <param name="Sigmas">The same in standard deviations.</param>
-    internal sealed record Suspect(int Row, double OffMm, double Sigmas);
+    internal sealed record Suspect(int Row, double OffMm, double Sigmas)
+    {
+        /// <summary>How much of the standard deviations counts.</summary>
+        public double Share { get; init; } = 1;
+
+        /// <summary>The standard deviations that count.</summary>
+        public double Judged => Share * Math.Abs(Sigmas);
+    }
 }

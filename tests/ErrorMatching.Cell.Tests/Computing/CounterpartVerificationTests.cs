@@ -22,7 +22,9 @@ public sealed class CounterpartVerificationTests
         Assert.Contains(
             "counterpart against part", System.Text.Encoding.UTF8.GetString(recorded.Page!.Value.Span), StringComparison.Ordinal);
         Assert.StartsWith(
-            "A counterpart is measured: this verifies what was sent, and sends nothing. ", recorded.Reason.Sentence, StringComparison.Ordinal);
+            "A counterpart is measured: this verifies what was sent, and sends nothing. ",
+            recorded.Reason.Sentence,
+            StringComparison.Ordinal);
     }
 
     [Fact]
