@@ -30,7 +30,7 @@ public sealed class ReadmeTests
         var surface = SurfaceReader.Read(Encoding.UTF8.GetBytes(grid.ToString()), "saddle.csv", entity: null, outsideIsUp: true);
         var plan = MeasuringPlanner.Plan(surface, job.Measuring);
 
-        // Everywhere 20 um are left, as if the tool were worn.
+        // Everywhere 20 µm are left, as if the tool were worn.
         var table = new StringBuilder("point,x,y,z\n");
         foreach (var point in plan.Points)
         {

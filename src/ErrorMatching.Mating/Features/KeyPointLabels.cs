@@ -18,6 +18,9 @@ internal sealed class KeyPointLabels(JobProblems problems, IReadOnlyList<JsonIte
     /// <summary>True if a feature that was read has the point.</summary>
     public bool Contains(string label) => _features.ContainsKey(label);
 
+    /// <summary>True if the job leaves the point out.</summary>
+    public bool IsLeftOut(string label) => _without.Contains(label);
+
     /// <summary>The labels of a list of points; errors become problems of the job.</summary>
     public List<string> Read(JsonItem list, string feature, int least)
     {

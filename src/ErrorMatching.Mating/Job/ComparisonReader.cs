@@ -21,17 +21,24 @@ internal sealed class ComparisonReader(JobProblems problems, FeatureReader featu
                     item["name"], "duplicate-name", $"the name \"{name}\" again", "a name that no feature and no other comparison has");
             }
 
-            comparisons.Add(item["quantity"].Text == "angle"
-                ? new AngleComparison(name, ReadElement(item["between"].Items[0]), ReadElement(item["between"].Items[1]))
-                : new DeviationComparison(name, item["quantity"].Text == "deviation-x", ReadComparedPoints(item["points"])));
+            if (item["quantity"].Text == "angle")
+            {
+                comparisons.Add(new AngleComparison(name, ReadElement(item["between"].Items[0]), ReadElement(item["between"].Items[1])));
+            }
+            else if (ReadComparedPoints(item["points"]) is { Count: > 0 } points)
+            {
+                comparisons.Add(new DeviationComparison(name, item["quantity"].Text == "deviation-x", points));
+            }
         }
 
         return comparisons;
     }
 
+    // Without the points that the job leaves out; none if it leaves out all of them.
     private List<string> ReadComparedPoints(JsonItem list)
     {
         var labels = features.Labels.Expand(list);
+        labels.RemoveAll(l => features.Labels.IsLeftOut(l.Label));
         foreach (var (label, item) in labels.Where(l => !features.Labels.Contains(l.Label)))
         {
             problems.Refuse(item, "unknown-point", $"the point {label}", "a point of one of the features");

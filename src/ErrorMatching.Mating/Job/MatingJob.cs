@@ -55,8 +55,8 @@ public sealed record MatingJob
     /// <summary>Labels of key points that somebody took out of the job because their reading did not fit; no feature has them.</summary>
     public IReadOnlyList<string> Without { get; init; } = [];
 
-    /// <summary>The largest motion of the part as a whole that is taken for the part's own, mm; null for the largest limit. A larger one
-    /// asks whether the origin is right.</summary>
+    /// <summary>The largest motion of the part as a whole that is taken for the part's own, mm; null for the largest limit, and for any if
+    /// work offsets are allowed. A larger one asks whether the origin is right.</summary>
     public double? CommonMotionMm { get; init; }
 
     /// <summary>The piece to be cut, and its program.</summary>

@@ -10,9 +10,9 @@ namespace ErrorMatching.Mating;
 /// <param name="Explains">Its share in the sum of squares of the deviations, 0 to 1.</param>
 /// <param name="IsSignificant">True if it is more than the noise of the points: with a risk of one in a thousand.</param>
 /// <param name="LargestMm">How far it moves a key point, at most.</param>
-/// <param name="MostMm">The distance beyond which it asks whether the origin is right.</param>
+/// <param name="MostMm">The distance beyond which it asks whether the origin is right; null if any motion is expected.</param>
 public sealed record CommonMotion(
-    Vector2 ShiftMm, double TurnDeg, double Explains, bool IsSignificant, double LargestMm, double MostMm)
+    Vector2 ShiftMm, double TurnDeg, double Explains, bool IsSignificant, double LargestMm, double? MostMm)
 {
     // A motion that leaves more than a tenth is not the only cause.
     private const double NearlyAll = 0.9;
@@ -33,8 +33,8 @@ public sealed record CommonMotion(
     /// <remarks>d = n . t + w (p x n) at each key point, method, section 11. Directions that no normal determines stay 0.</remarks>
     /// <param name="points">The key points.</param>
     /// <param name="uncertaintyMm">Standard uncertainty of a deviation.</param>
-    /// <param name="mostMm">The distance beyond which a motion asks whether the origin is right.</param>
-    internal static CommonMotion? Of(IReadOnlyList<BoundaryPoint> points, double uncertaintyMm, double mostMm)
+    /// <param name="mostMm">The distance beyond which a motion asks whether the origin is right; null for none.</param>
+    internal static CommonMotion? Of(IReadOnlyList<BoundaryPoint> points, double uncertaintyMm, double? mostMm)
     {
         var n = points.Count;
         var squares = points.Sum(p => p.NormalMm * p.NormalMm);
@@ -109,7 +109,7 @@ public sealed record CommonMotion(
         r.Number("explains"),
         r.Flag("significant"),
         r.Number("largestMm"),
-        r.Number("mostMm"))
+        r.OptionalNumber("mostMm"))
     {
         Uncertainty = (r.Number("uncertaintyXMm"), r.Number("uncertaintyYMm"), r.Number("uncertaintyTurnDeg")),
     };

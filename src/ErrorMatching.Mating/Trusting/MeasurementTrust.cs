@@ -61,9 +61,13 @@ public sealed record MeasurementTrust(
             CommonMotion.Of(
                 [.. decision.Features.SelectMany(f => f.Points).Select(p => p.Point)],
                 u,
-                job.CommonMotionMm ?? job.Features.Max(f => Math.Max(-f.Tolerance.Band.LowerMm, f.Tolerance.Band.UpperMm))),
+                job.CommonMotionMm ?? LargestLimit(job)),
             ScatterRatio.Of([.. runs.Select(r => (r.Run.Elements, r.MeasuredRows().Rows))], u));
     }
+
+    // A job that may correct by the work offset expects parts that are shifted.
+    private static double? LargestLimit(MatingJob job) => job.Correction.Allows(CorrectionKind.WorkOffset) ? null
+        : job.Features.Max(f => Math.Max(-f.Tolerance.Band.LowerMm, f.Tolerance.Band.UpperMm));
 }
 
 /// <summary>A key point that does not fit the others of its run.</summary>

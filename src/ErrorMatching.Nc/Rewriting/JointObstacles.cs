@@ -19,8 +19,9 @@ internal static class JointObstacles
                     path.Program,
                     block,
                     NcRefusalCodes.FrameChange,
-                    "an origin is set or a program is called here while the tool stands at a place that would move; what follows could "
-                        + "move along. Move the tool away from the contour before it.");
+                    "an origin is set, a program is called, or only the machine knows which way the program goes, while the tool stands "
+                        + "at a place that would move; what follows could move along. State what the machine knows (blockSkip, assume), or "
+                        + "move the tool away from the contour before it.");
             }
         }
 

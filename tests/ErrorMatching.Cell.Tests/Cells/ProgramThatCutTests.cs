@@ -36,6 +36,10 @@ public sealed class ProgramThatCutTests : IDisposable
         cell.Drop("SN2_part.csv", PairedCell.Part + "\n");
         await cell.Until(3, CorrectionState.Recorded);
         cell.Drop("SN2_cp.csv", PairedCell.Counterpart + "\n");
+
+        // The same errors again, although they were corrected: a person decides.
+        await cell.Until(4, CorrectionState.Proposed);
+        decisions.Approve(4, "sam", null);
         Assert.Equal(cell.Store.Find(2)!.ProgramSha256, (await cell.Until(4, CorrectionState.Verified)).BaseSha256);
         cell.Drop("SN1_cp_again.csv", NextCounterpart.Of(cell.Store.Content(cell.Store.Find(2)!.ReportSha256!), 1, 1));
         Assert.Equal(cell.Store.Find(2)!.ProgramSha256, (await cell.Until(5, CorrectionState.Approved)).BaseSha256);

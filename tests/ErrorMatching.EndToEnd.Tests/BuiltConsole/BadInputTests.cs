@@ -189,7 +189,7 @@ public sealed class BadInputTests
     [InlineData(
         "N120 X-34.995",
         "N115 IF [#500 EQ 1] GOTO 130\nN120 X-34.995",
-        "endless-loop|unknown-condition|unknown-state|point-off-path|expression")]
+        "endless-loop|unknown-condition|unknown-state|point-off-path|expression|frame-change")]
     [InlineData("N140 G3", "N130 G3", "block-ambiguous")]
     [InlineData("I6. J0.", "I5. J0.", "bad-arc|point-off-path")]
     public async Task A_program_that_cannot_be_trusted_is_refused_with_its_block(string old, string replacement, string codes)
