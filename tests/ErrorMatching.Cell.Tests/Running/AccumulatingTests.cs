@@ -37,6 +37,10 @@ public sealed class AccumulatingTests
             feedback.Store.AuditEntries(0, 1000), e => e.Basis.Sentence.Contains("does not fit the 1 before it", StringComparison.Ordinal));
         new CorrectionDecisions(feedback.Store).Release(4, "olga", null);
         cell.DropText("f_cp_3.csv", NextCounterpart.Of(feedback.Store.Content(outlier.ReportSha256!), 2, 2));
+
+        // Its verdict does not say to cut it.
+        await feedback.Until(5, CorrectionState.Proposed);
+        new CorrectionDecisions(feedback.Store).Approve(5, "sam", null);
         var second = await feedback.Until(5, CorrectionState.Verified);
         Assert.Equal(outlier.ProgramSha256, second.BaseSha256);
 
@@ -154,6 +158,9 @@ public sealed class AccumulatingTests
                   "alignment"
                 """,
                 StringComparison.Ordinal)
+
+                // Point 2 is at a corner that the tool leaves round: 0.146 mm stay, and what stays outside its limits waits for a person.
+                .Replace("[\"N120\"], \"toleranceMm\": [-0.05, 0.05]", "[\"N120\"], \"toleranceMm\": [-0.2, 0.2]", StringComparison.Ordinal)
 
                 // What was corrected lies away from the drawing by the sum of corrections.
                 .Replace("\"mapMm\": 0.5", "\"mapMm\": 3", StringComparison.Ordinal));
