@@ -73,7 +73,7 @@ public class ReadingCostTests
         var program = NcProgram.Read(Encoding.ASCII.GetBytes(string.Format(CultureInfo.InvariantCulture, text, new string('x', 27_000))));
         NcPath? path = null;
         var seconds = ReadingCost.Seconds(() => path = NcInterpreter.Run(program, NcDialects.Named(name)));
-        Assert.NotNull(path);
+        Assert.Contains(path!.Refusal?.Code ?? "", ["", NcRefusalCodes.EndlessLoop]);
 #if DEBUG
         Assert.InRange(seconds, 0, 10);
 #else

@@ -24,7 +24,7 @@ public sealed record ScatterRatio(double Ratio, double From, double To)
     public bool IsTooLittle => To < 1;
 
     /// <summary>The ratio that explains the points best; null if they do not tell one.</summary>
-    /// <remarks>The evidence of the values for each ratio, with the scales of the course chosen anew for each (Rasmussen and Williams
+    /// <remarks>The evidence of the values for each ratio, with the scales of the course chosen again for each (Rasmussen and Williams
     /// 2006, section 5.4.1), as a density over the logarithm of the ratio.</remarks>
     /// <param name="runs">The elements of each run, and what its key points say.</param>
     /// <param name="uncertaintyMm">The stated standard uncertainty.</param>

@@ -13,15 +13,22 @@ internal static class SuspectSearch
     // Beside a bad point its neighbors look bad, too: the worst few are tried.
     private const int Tried = 3;
 
+    // What the noise may be, in stated uncertainties, and the difference of evidence that says little.
+    private static readonly double[] Noises = [1, 2, 4, 8];
+    private const double NearlyAsWell = 0.5;
+
+    // The largest risk that a good feature has a false name.
+    private const double FalseNames = 0.01;
+
     // Nothing beyond an end contradicts it: a cut may bend there in truth, as that of the paper's curve does.
     private const double OfEnd = 2.0 / 3;
 
     // A direction that the points do not determine.
     private const double LeastShare = 1e-6;
 
-    /// <summary>How many standard deviations a point may be off: few points know their own scales less well. With them, 1 of 400 random
-    /// parts with smooth errors has a false name (<c>SuspectSearchTests</c>).</summary>
-    public static double MostSigmas(int points) => points switch { <= 5 => 6, 6 => 5, _ => 4.3 };
+    /// <summary>How many standard deviations a point may be off: few points know their own scales less well. With them, at most 1 of
+    /// 100 random parts with smooth errors has a false name, where the stated uncertainty is right (<c>SuspectSearchTests</c>).</summary>
+    private static double MostSigmas(int points) => points switch { <= 5 => 6, 6 => 5, _ => 4.3 };
 
     /// <summary>Searches the points of a run that has elements with a course.</summary>
     /// <remarks>With the covariance K of all values, point i is off by r = [K^-1 y]_i / [K^-1]_ii with the standard deviation
@@ -32,12 +39,13 @@ internal static class SuspectSearch
     /// <param name="uncertaintyMm">Standard uncertainty of a row.</param>
     public static IReadOnlyList<Suspect> AlongCourse(
         IReadOnlyList<BoundaryElement> elements, IReadOnlyList<BoundaryRow> rows, double uncertaintyMm) =>
-        All(rows.Count, left => WorstAlongCourse(elements, [.. left.Select(i => rows[i])], uncertaintyMm));
+        All(rows.Count, left => WorstAlongCourse(elements, [.. left.Select(i => rows[i])], uncertaintyMm), MostSigmas);
 
     /// <summary>Searches the points around a feature without a course, such as a bore: what they have in common is a shift, a turn and a
     /// growth.</summary>
-    /// <remarks>Deleted residuals of least squares (Cook and Weisberg 1982, section 2.2), with the noise of the others, and at least the
-    /// stated uncertainty.</remarks>
+    /// <remarks>Deleted residuals of least squares (Cook and Weisberg 1982, section 2.2). A point must be off by too much for the stated
+    /// uncertainty, and for the scatter of the others too, which a bore that is not round has: that follows Student's distribution, and is
+    /// told as the normal deviate of the same probability (Wallace 1959, Annals of Mathematical Statistics 30, equation 2).</remarks>
     /// <param name="points">The key points.</param>
     /// <param name="values">Their deviations along the normal.</param>
     /// <param name="uncertaintyMm">Standard uncertainty of a deviation.</param>
@@ -45,14 +53,14 @@ internal static class SuspectSearch
         All(points.Count, left => WorstAroundShape(
             [.. left.Select(i => points[i])],
             [.. left.Select(i => values[i])],
-            Math.Max(uncertaintyMm, DeviationField.LeastUncertaintyMm)));
+            Math.Max(uncertaintyMm, DeviationField.LeastUncertaintyMm)), n => NormalDistribution.Quantile(1 - (FalseNames / 2 / n)));
 
     // If more than a fifth of the points do not fit, the model is wrong, not the points.
-    private static List<Suspect> All(int count, Func<IReadOnlyList<int>, Suspect?> worst)
+    private static List<Suspect> All(int count, Func<IReadOnlyList<int>, Suspect?> worst, Func<int, double> most)
     {
         var found = new List<Suspect>();
         List<int> left = [.. Enumerable.Range(0, count)];
-        while (left.Count >= Fewest && worst(left) is { } next && next.Judged >= MostSigmas(left.Count))
+        while (left.Count >= Fewest && worst(left) is { } next && next.Judged >= most(left.Count))
         {
             found.Add(next with { Row = left[next.Row] });
             left.RemoveAt(next.Row);
@@ -70,10 +78,28 @@ internal static class SuspectSearch
         var all = LeftOut(PriorChoice.Of(elements, rows, uncertaintyMm).OfPiece, rows, uncertaintyMm);
         return Enumerable.Range(0, rows.Length).OrderByDescending(i => Math.Abs(all[i].Off / all[i].Sigma)).Take(Tried).Select(i =>
         {
-            BoundaryRow[] others = [.. rows.Where((_, k) => k != i)];
-            var (off, sigma) = LeftOut(PriorChoice.Of(elements, others, uncertaintyMm).OfPiece, rows, uncertaintyMm)[i];
+            var (off, sigma) = WithoutIt(elements, rows, i, uncertaintyMm);
             return new Suspect(i, off, off / sigma) { Share = IsEnd(elements, rows, i) ? OfEnd : 1 };
         }).MaxBy(s => s.Judged);
+    }
+
+    // The stated uncertainty may be too small: then all points scatter, and none is wrong. Of the noises that explain the others nearly as
+    // well as the best one, the one that allows the point the most counts.
+    private static (double Off, double Sigma) WithoutIt(
+        IReadOnlyList<BoundaryElement> elements, BoundaryRow[] rows, int row, double uncertaintyMm)
+    {
+        BoundaryRow[] others = [.. rows.Where((_, k) => k != row)];
+        double[] values = [.. others.Select(r => r.ValueMm)];
+        var tried = new List<(double Log, (double Off, double Sigma) Found)>();
+        foreach (var factor in Noises)
+        {
+            var noise = factor * Math.Max(uncertaintyMm, DeviationField.LeastUncertaintyMm);
+            var priors = PriorChoice.Of(elements, others, noise).OfPiece;
+            tried.Add((Evidence.Log(DeviationField.CovarianceOf(priors, others, noise), values), LeftOut(priors, rows, noise)[row]));
+        }
+
+        var best = tried.Max(t => t.Log);
+        return tried.Where(t => t.Log >= best - NearlyAsWell).Select(t => t.Found).MinBy(f => Math.Abs(f.Off / f.Sigma));
     }
 
     // The outermost point of a curve.
@@ -131,9 +157,14 @@ internal static class SuspectSearch
             }
 
             var others = Math.Sqrt(Math.Max(0, squares - (left[i] * left[i] / own)) / free);
-            return new Suspect(i, left[i] / own, left[i] / (Math.Max(others, noise) * Math.Sqrt(own)));
+            var alone = left[i] / Math.Sqrt(own);
+            return new Suspect(i, left[i] / own, Math.Sign(alone) * Math.Min(Math.Abs(alone) / noise, NormalOf(alone / others, free)));
         }).MaxBy(s => s.Judged);
     }
+
+    // The normal deviate of the same probability as a value of Student's distribution.
+    private static double NormalOf(double t, int free) =>
+        ((8.0 * free) + 1) / ((8.0 * free) + 3) * Math.Sqrt(free * Elementary.Log(1 + Math.Min(t * t / free, double.MaxValue)));
 
     /// <summary>A point that may not fit.</summary>
     /// <param name="Row">Its index.</param>

@@ -187,3 +187,33 @@ internal sealed class Forks
     /// <summary>Where the run is, with all that decides what runs next.</summary>
     public string Place() => _run.Flow.PlaceAt(_run.At);
 }
+
+/// <summary>A branch on a value that only the machine knows, after both ways were executed.</summary>
+/// <param name="Way">The way that the run takes: true where the condition holds, or where block skip is on.</param>
+/// <param name="Join">Where both ways meet; null if the other one ends the program.</param>
+/// <param name="Differs">True if the motions of the two ways differ.</param>
+/// <param name="Blocks">Blocks of the program that move in only one of the ways.</param>
+/// <param name="Forgotten">Variables that differ where the ways meet.</param>
+internal sealed record Fork(
+    bool Way, string? Join, bool Differs, IReadOnlyCollection<int> Blocks, IReadOnlyCollection<VariableKey> Forgotten)
+{
+    /// <summary>A way that is being tried.</summary>
+    public static Fork Tried(bool way) => new(way, null, Differs: false, [], []);
+}
+
+/// <summary>How much a program may be executed to find out whether both ways of its branches lead to the same. Shared by all runs that
+/// try a way.</summary>
+/// <param name="blocks">Number of blocks in all.</param>
+internal sealed class ForkLimits(long blocks)
+{
+    /// <summary>Most blocks of one way.</summary>
+    public const int Way = 2_000;
+
+    /// <summary>Most branches inside ways of branches.</summary>
+    public const int Depth = 3;
+
+    private long _left = blocks;
+
+    /// <summary>Counts a block; false if none is left.</summary>
+    public bool TryTake() => _left-- > 0;
+}

@@ -7,15 +7,43 @@ public sealed class SuspectSearchTests
 {
     private const double Noise = 0.002;
 
-    // Without a bad point, at most 1 of 100 has a false name.
-    [Fact]
-    public void A_good_part_has_no_false_name() =>
-        Assert.True(Enumerable.Range(0, 400).Count(seed => Search(seed, 0, 1).Found.Count > 0) <= 4);
+    // Without a bad point, at most 1 of 100 has a false name; on an arc with waves of 0.2 mm, 4. Where the stated uncertainty is half or
+    // a fifth of what is true, more have: no few points can tell a wrong reading from a rough surface.
+    [Theory]
+    [InlineData(ElementForm.Free, 1, 1, 0.01)]
+    [InlineData(ElementForm.Free, 0.02, 1, 0.01)]
+    [InlineData(ElementForm.Straight, 0.2, 1, 0.01)]
+    [InlineData(ElementForm.Arc, 0.2, 1, 0.01)]
+    [InlineData(ElementForm.Arc, 1, 1, 0.04)]
+    [InlineData(ElementForm.Free, 0.2, 2, 0.05)]
+    [InlineData(ElementForm.Straight, 0.2, 5, 0.11)]
+    public void A_good_part_has_no_false_name(object form, double smooth, double noises, double most)
+    {
+        var named = Enumerable.Range(0, 300).Count(
+            seed => Search(seed, 0, smooth, noises, (ElementForm)form).Found.Count > 0) / 300.0;
+        Assert.True(named <= most, $"{named:0.000} have a false name, {most} may");
+    }
+
+    // A bore that is rough or not round: its own scatter is the yardstick.
+    [Theory]
+    [InlineData(8)]
+    [InlineData(12)]
+    [InlineData(24)]
+    public void A_rough_bore_has_no_false_name(int count)
+    {
+        var random = new Random(29);
+        var named = Enumerable.Range(0, 1000).Count(_ =>
+        {
+            var (points, values) = Bore(count, random, noises: 5);
+            return SuspectSearch.AroundShape(points, values, Noise).Count > 0;
+        });
+        Assert.InRange(named, 0, 20);
+    }
 
     // The smooth errors swing by as much as the distance of the points allows: five or six points over waves shorter than twice their
     // distance cannot be contradicted. With seven and more, they can.
     [Theory]
-    [InlineData(1, 0.2, 7, 0.97)]
+    [InlineData(1, 0.2, 7, 0.96)]
     [InlineData(0.2, 0.2, 5, 0.99)]
     [InlineData(0.2, 0.04, 7, 0.93)]
     [InlineData(0.2, 0.02, 7, 0.75)]
@@ -76,7 +104,7 @@ public sealed class SuspectSearchTests
         Assert.Empty(SuspectSearch.AroundShape(points, values, Noise));
     }
 
-    private static (RunPoint[] Points, double[] Values) Bore(int count, Random random)
+    private static (RunPoint[] Points, double[] Values) Bore(int count, Random random, double noises = 1)
     {
         var points = Enumerable.Range(0, count).Select(i =>
         {
@@ -84,12 +112,13 @@ public sealed class SuspectSearchTests
             return new RunPoint(0, i, new Point2(3, 5) + (normal * 10), Vector2.Zero, Vector2.Zero, normal);
         }).ToArray();
         var shift = new Vector2(random.NextDouble() - 0.5, random.NextDouble() - 0.5) * 0.2;
-        return (points, [.. points.Select(p => shift.Dot(p.Normal) + 0.03 + (Noise * Gauss(random)))]);
+        return (points, [.. points.Select(p => shift.Dot(p.Normal) + 0.03 + (noises * Noise * Gauss(random)))]);
     }
 
-    private static (IReadOnlyList<SuspectSearch.Suspect> Found, int Bad, int Points) Search(int seed, double badMm, double smooth)
+    private static (IReadOnlyList<SuspectSearch.Suspect> Found, int Bad, int Points) Search(
+        int seed, double badMm, double smooth, double noises = 1, ElementForm form = ElementForm.Free)
     {
-        var (truth, along, values) = CourseTests.Curve(seed, Noise);
+        var (truth, along, values) = CourseTests.Curve(seed, noises * Noise);
         for (var i = 0; i < values.Length; i++)
         {
             values[i] = (smooth * truth(along[i])) + (values[i] - truth(along[i]));
@@ -97,7 +126,10 @@ public sealed class SuspectSearchTests
 
         var bad = new Random(seed + 1000).Next(values.Length);
         values[bad] += badMm;
-        var element = new BoundaryElement(new FeaturePass(0, 0, [0, along[^1]], []), 0, 0, ElementForm.Free);
+        var element = new BoundaryElement(new FeaturePass(0, 0, [0, along[^1]], []), 0, 0, form)
+        {
+            Sweep = form == ElementForm.Arc ? 1.5 : 0
+        };
         BoundaryRow[] rows = [.. along.Select((s, i) => new BoundaryRow([new(0, s, 1)], values[i]))];
         return (SuspectSearch.AlongCourse([element], rows, Noise), bad, values.Length);
     }
