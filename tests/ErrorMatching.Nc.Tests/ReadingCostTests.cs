@@ -65,7 +65,7 @@ public class ReadingCostTests
 
     [Theory]
     [InlineData("fanuc", "#1=0\nWHILE[#1LT400000]DO1\n#1=#1+1\n({0})\nEND1\nM30\n")]
-    [InlineData("fanuc", "#1=0\nN1#1=#1+1\nIF[#1LT400000]GOTO#1\n{0}G0X0\nM30\n")]
+    [InlineData("fanuc", "#1=0\nN1#1=#1+1\nIF[#1LT400000]GOTO[#1-#1+1]\n({0})\nG0X0\nM30\n")]
     [InlineData("siemens-840d", "R1=0\nWHILE R1<400000\nR1=R1+1\nMSG(\"{0}\")\nENDWHILE\nM30\n")]
     [InlineData("siemens-840d", "DEF REAL A[100000]\nR1=0\nWHILE R1<400000\nR1=R1+1\nA[0]=REP(R1)\nENDWHILE\nM30\n")]
     public void A_small_program_is_executed_or_refused_in_a_second(string name, string text)
@@ -73,7 +73,7 @@ public class ReadingCostTests
         var program = NcProgram.Read(Encoding.ASCII.GetBytes(string.Format(CultureInfo.InvariantCulture, text, new string('x', 27_000))));
         NcPath? path = null;
         var seconds = ReadingCost.Seconds(() => path = NcInterpreter.Run(program, NcDialects.Named(name)));
-        Assert.Contains(path!.Refusal?.Code ?? "", ["", NcRefusalCodes.EndlessLoop]);
+        Assert.True(path!.Refusal is null or { Code: NcRefusalCodes.EndlessLoop }, path.Refusal?.Message);
 #if DEBUG
         Assert.InRange(seconds, 0, 10);
 #else
