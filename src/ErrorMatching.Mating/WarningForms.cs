@@ -26,6 +26,13 @@ public static class WarningForms
         "Under cutter compensation the tool passes the point {0} at {1} mm: it leaves a round of its own radius in the inside corner of "
             + "{2}. What is corrected there cannot be cut. For the next parts, choose a key point that the tool touches.");
 
+    /// <summary>Feature, and the largest difference in mm, positive where too much material stands.</summary>
+    public static SentenceForm BaseDiffers { get; } = new(
+        "base-differs",
+        "The program cuts {0} elsewhere than the theoretical points are: {1} mm (positive: too much "
+            + "material). That stays, and is counted in what is left over. If the program is wrong, or already leaves the gap that "
+            + "you write as gapMm, write \"base\": \"correct\" at the feature.");
+
     /// <summary>Block, the radius that the program gives, and that of the job's tool, mm.</summary>
     public static SentenceForm ToolRadiusDiffers { get; } = new(
         "tool-radius-differs",

@@ -163,6 +163,35 @@ internal sealed class CourseEstimator
     /// <summary>The places at which ways of cutting are compared, after a prediction for a program.</summary>
     public IReadOnlyList<ComparedPlace> Places() => [.. _runs.SelectMany(r => r.Places(e => _features[e]))];
 
+    /// <summary>The features of the job.</summary>
+    public IReadOnlyList<JobFeature> Features => _job.Features;
+
+    /// <summary>What the program before does differently from the theoretical outline at a key point, mm: positive where it leaves too much
+    /// material. 0 in feedback.</summary>
+    public double BaseMm(int feature, int index)
+    {
+        var (run, point) = PointOf(feature, index);
+        return run.BaseMm(point);
+    }
+
+    // On the first cut of its feature.
+    private (RunEstimate Run, int Point) PointOf(int feature, int index)
+    {
+        foreach (var run in _runs)
+        {
+            for (var p = 0; p < run.Points.Count; p++)
+            {
+                if (run.Points[p].Feature == feature && run.Points[p].Index == index
+                    && ReferenceEquals(run.Points[p].Own?.Pass, _maps[feature].Passes[0]))
+                {
+                    return (run, p);
+                }
+            }
+        }
+
+        throw new ArgumentException("The point is on no run.", nameof(index));
+    }
+
     /// <summary>The runs of cuts that are estimated.</summary>
     public IReadOnlyList<RunEstimate> Runs => _runs;
 
@@ -180,7 +209,10 @@ internal sealed class CourseEstimator
                     toPart.Apply(point.Normal),
                     run.ErrorAt(p, cutsBefore),
                     run.ErrorAt(p, cutsAfter),
-                    run.UncertaintyMm);
+                    run.UncertaintyMm)
+                {
+                    BaseMm = run.BaseMm(p),
+                };
             }
         }
 
@@ -206,7 +238,7 @@ internal sealed class CourseEstimator
         for (var i = 0; i < pass.Feet.Count; i++)
         {
             var decided = _decision.Features[feature].Points[i];
-            var (deviation, normal) = (_job.Counterpart.Frame.Apply(decided.Point.Displacement), pass.Feet[i].Normal);
+            var (deviation, normal) = (_job.Counterpart.Frame.Apply(decided.Point.FromTheoretical), pass.Feet[i].Normal);
             (BoundaryElement, double)? beside = null;
             if (_job.Compensation.From == CompensationSource.Counterpart)
             {
@@ -230,7 +262,11 @@ internal sealed class CourseEstimator
                 IsCompensated(feature) ? deviation * ShareOf(decided) : deviation,
                 normal)
             {
-                Beside = beside
+                Beside = beside,
+                Own = (pass, pass.Feet[i]),
+                GapMm = decided.Point.GapMm,
+                CountsBase = _job.Compensation.From == CompensationSource.Part,
+                BaseShare = _maps[feature].Feature.CorrectsBase && IsCompensated(feature) ? ShareOf(decided) : 0,
             };
         }
     }

@@ -29,6 +29,10 @@ public sealed record PredictedError(Point2 Place, Vector2 Normal, double BeforeM
     /// <summary>Ratio of half a 95 % interval to the standard uncertainty of a normal distribution.</summary>
     public const double Factor95 = 1.96;
 
+    /// <summary>The part of it that the original program brings along, because it cuts elsewhere than the theoretical outline is; 0 in
+    /// feedback, where the measured counterpart has it. Not in a report's place between points.</summary>
+    public double BaseMm { get; init; }
+
     /// <summary>Half the 95 % interval about either error.</summary>
     public double Interval95Mm => Factor95 * StandardUncertaintyMm;
 

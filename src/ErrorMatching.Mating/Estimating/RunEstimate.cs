@@ -15,6 +15,7 @@ internal sealed class RunEstimate
 
     private readonly BoundaryRow?[] _ofPoints;
     private readonly RunPath _before;
+    private readonly Dictionary<BoundaryElement, (double AlongMm, double All, double Corrected)[]> _bases = new(ReferenceEqualityComparer.Instance);
     private (DeviationPrior[] OfCuts, DeviationPrior[] OfPiece)? _priors;
 
     public RunEstimate(BoundaryRun run, IReadOnlyList<RunPoint> points, double uncertaintyMm)
@@ -57,11 +58,11 @@ internal sealed class RunEstimate
             var point = Points[i];
             if (point.Beside is { } beside)
             {
-                rows.Add((new([new(IndexOf(beside.Element), beside.AlongMm, 1)], point.Deviation.Dot(point.Normal)), point));
+                rows.Add((new([new(IndexOf(beside.Element), beside.AlongMm, 1)], point.Measured.Dot(point.Normal)), point));
                 continue;
             }
 
-            var foot = _before.FootOf(point.Theoretical + point.Deviation, point.Normal);
+            var foot = _before.FootOf(point.Theoretical + point.Measured, point.Normal);
             RowTerm[] terms = [
                 .. Run.SharesAt(Run.Path, foot).Select(s => new RowTerm(IndexOf(s.Element), s.AlongMm, s.Weight))];
             if (terms.Length > 0 || Run.Elements.Count == 0)
@@ -96,11 +97,14 @@ internal sealed class RunEstimate
                 following.Add(line);
             }
 
-            var off = foot.DistanceMm - Nominal[i].DistanceMm;
+            var off = foot.DistanceMm - Nominal[i].DistanceMm + (isWhole ? 0 : CorrectedBaseMm(i));
             squares += off * off;
             RowTerm[] terms = [.. Run.SharesAt(path, foot).Select(s => new RowTerm(IndexOf(s.Element), s.AlongMm, s.Weight))];
             var row = terms.Length == 0 ? null
-                : new BoundaryRow(terms, terms.Sum(t => t.Weight * Cuts[t.Element].At(t.AlongMm)) - off);
+                : new BoundaryRow(
+                    terms,
+                    terms.Sum(t => t.Weight * (Cuts[t.Element].At(t.AlongMm) + (isWhole ? 0 : CorrectedBaseAt(t.Element, t.AlongMm))))
+                        - off);
             if (!Agree(row, _ofPoints[i]))
             {
                 (_ofPoints[i], isSettled) = (row, false);
@@ -131,7 +135,7 @@ internal sealed class RunEstimate
     public void Follow(Func<BoundaryElement, bool> isCompensated) => Cuts =
     [
         .. Run.Elements.Select((element, e) => isCompensated(element)
-            ? ElementCut.Following(element, along => Field!.Mean(e, along))
+            ? ElementCut.Following(element, along => Field!.Mean(e, along) - CorrectedBaseAt(e, along))
             : ElementCut.Still)];
 
     /// <summary>What the cuts follow now, to come back to.</summary>
@@ -145,7 +149,40 @@ internal sealed class RunEstimate
     /// <param name="point">Index of the point.</param>
     /// <param name="cuts">The cuts of this run.</param>
     public double ErrorAt(int point, RunPath cuts) =>
-        cuts.FootOf(Points[point].Theoretical + Points[point].Deviation, Points[point].Normal).DistanceMm - Nominal[point].DistanceMm;
+        cuts.FootOf(Points[point].Theoretical + Points[point].Deviation, Points[point].Normal).DistanceMm - Nominal[point].DistanceMm
+            + BaseMm(point);
+
+    /// <summary>What the program before does differently from the theoretical outline at a key point, mm: positive where it leaves too
+    /// much material. 0 in feedback, where the measured counterpart has it.</summary>
+    public double BaseMm(int point) => Points[point].CountsBase ? Nominal[point].DistanceMm - Run.Radius : 0;
+
+    private double CorrectedBaseMm(int point) => Points[point].BaseShare * BaseMm(point);
+
+    // The same along an element, and what of it is corrected. Between key points nothing tells it: it goes straight from one to the next. A
+    // point on a corner tells it of two elements together, so it counts only where no other one does.
+    private (double All, double Corrected) BaseAt(BoundaryElement element, double along)
+    {
+        if (!_bases.TryGetValue(element, out var bases))
+        {
+            var own = Points.Select((p, i) => (Point: p, At: p.AlongOf(element), Index: i)).Where(p => p.At is not null).ToArray();
+            var beside = Array.FindAll(own, p => !p.Point.Own!.Value.Foot.OnCorner);
+            bases = _bases[element] = [
+                .. (beside.Length > 0 ? beside : own).OrderBy(p => p.At)
+                    .Select(p => (p.At!.Value, BaseMm(p.Index), CorrectedBaseMm(p.Index)))];
+        }
+
+        var after = Array.FindIndex(bases, b => b.AlongMm >= along);
+        if (bases.Length == 0)
+        {
+            return default;
+        }
+
+        var (from, to) = (bases[after < 0 ? ^1 : Math.Max(after - 1, 0)], bases[after < 0 ? ^1 : after]);
+        var share = to.AlongMm > from.AlongMm ? (along - from.AlongMm) / (to.AlongMm - from.AlongMm) : 0;
+        return (from.All + (share * (to.All - from.All)), from.Corrected + (share * (to.Corrected - from.Corrected)));
+    }
+
+    private double CorrectedBaseAt(int element, double along) => BaseAt(Run.Elements[element], along).Corrected;
 
     /// <summary>The cuts of this run on a program.</summary>
     public RunPath OnCuts(NcPath path) => ReferenceEquals(path, Run.Path) ? _before : Run.On(path);
@@ -175,8 +212,10 @@ internal sealed class RunEstimate
 
         double ErrorOf(RunPath cuts, double along)
         {
+            // The boundary of the program before is where it cuts, not where the theoretical outline is.
             var (place, toTool) = Run.PlaceAt(element, along);
-            return cuts.FootOf(place + (toTool * Field!.Mean(index, along)), toTool).DistanceMm - Run.Radius;
+            var wanted = place + (toTool * (Field!.Mean(index, along) - BaseAt(element, along).All));
+            return cuts.FootOf(wanted, toTool).DistanceMm - Run.Radius;
         }
     }
 
@@ -192,8 +231,10 @@ internal sealed class RunEstimate
                 Points[i].Index,
                 Points[i].Theoretical + Points[i].Deviation,
                 Points[i].Normal,
-                Nominal[i].DistanceMm)
+                Nominal[i].DistanceMm - CorrectedBaseMm(i))
             {
+                KeptBaseMm = BaseMm(i) - CorrectedBaseMm(i),
+                GapMm = Points[i].GapMm,
                 Terms = _ofPoints[i]?.Terms ?? [],
                 ResidualMm = _ofPoints[i] is { } row ? row.ValueMm - Field!.Mean(row.Terms) : 0,
             };
@@ -211,8 +252,12 @@ internal sealed class RunEstimate
             {
                 var along = span.From + ((span.To - span.From) * k / span.Steps);
                 var (place, normal) = Run.PlaceAt(element, along);
-                yield return new(this, featureOf(element), -1, place + (normal * Field!.Mean(e, along)), normal, Run.Radius)
+                var own = Points.First(p => p.AlongOf(element) is not null);
+                var (differs, corrected) = BaseAt(element, along);
+                yield return new(this, featureOf(element), -1, place + (normal * (Field!.Mean(e, along) - corrected)), normal, Run.Radius)
                 {
+                    KeptBaseMm = differs - corrected,
+                    GapMm = own.GapMm,
                     StandardDeviationMm = Field.StandardDeviation(e, along),
                     Terms = [new(e, along, 1)],
                 };
@@ -232,8 +277,9 @@ internal sealed class RunEstimate
     /// <summary>What was assumed about an element before it was measured.</summary>
     public ElementPrior PriorOf(BoundaryElement element) => _priors!.Value.OfPiece[IndexOf(element)].Summary;
 
-    /// <summary>The deviation of an element at a length along the boundary, mm.</summary>
-    public double DeviationAt(BoundaryElement element, double along) => Field!.Mean(IndexOf(element), along);
+    /// <summary>How far the measured piece is from what the program before cuts, at a length along an element, mm.</summary>
+    public double DeviationAt(BoundaryElement element, double along) => Field!.Mean(IndexOf(element), along) - BaseAt(element, along).All
+        + (Points.FirstOrDefault(p => p.AlongOf(element) is not null)?.GapMm ?? 0);
 
     /// <summary>The cut of an element.</summary>
     public ElementCut CutOf(BoundaryElement element) => Cuts[IndexOf(element)];
@@ -270,7 +316,14 @@ internal sealed record ComparedPlace(RunEstimate Run, int Feature, int Point, Po
     /// <summary>How far the measured point is beyond the estimated boundary, toward the tool, mm; 0 between key points.</summary>
     public double ResidualMm { get; init; }
 
-    /// <summary>The mating error there, mm: positive where too much material stands.</summary>
+    /// <summary>What the program before does differently there from the theoretical outline, and the job keeps, mm: positive where it leaves
+    /// too much material.</summary>
+    public double KeptBaseMm { get; init; }
+
+    /// <summary>The gap that the job wants there, mm.</summary>
+    public double GapMm { get; init; }
+
+    /// <summary>The mating error there that a correction may change, mm: positive where too much material stands.</summary>
     public double ErrorOn(RunPath cuts) => cuts.FootOf(Place, Normal).DistanceMm - NominalMm;
 }
 
@@ -283,6 +336,25 @@ internal sealed record ComparedPlace(RunEstimate Run, int Feature, int Point, Po
 /// <param name="Normal">Unit normal toward the tool.</param>
 internal sealed record RunPoint(int Feature, int Index, Point2 Theoretical, Vector2 Deviation, Vector2 Wanted, Vector2 Normal)
 {
+    /// <summary>The pass of its feature, and its foot there.</summary>
+    public (FeaturePass Pass, KeyPointFoot Foot)? Own { get; init; }
+
+    /// <summary>The gap that the job wants there, mm.</summary>
+    public double GapMm { get; init; }
+
+    /// <summary>True if what the program does differently from the theoretical outline is not part of the deviation.</summary>
+    public bool CountsBase { get; init; }
+
+    /// <summary>The share of that which is corrected.</summary>
+    public double BaseShare { get; init; }
+
+    /// <summary>From the theoretical place to the measured one.</summary>
+    public Vector2 Measured => Deviation + (Normal * GapMm);
+
+    /// <summary>Where its foot is along an element; null if it is not on it.</summary>
+    public double? AlongOf(BoundaryElement element) =>
+        Own is var (pass, foot) && ReferenceEquals(element.Pass, pass) && element.Contains(foot.Motion) ? pass.Along(foot) : null;
+
     /// <summary>The element that it counts for alone, and where on it; null if the cuts around it tell.</summary>
     public (BoundaryElement Element, double AlongMm)? Beside { get; init; }
 }

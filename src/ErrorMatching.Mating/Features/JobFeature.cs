@@ -12,6 +12,13 @@ namespace ErrorMatching.Mating;
 /// <param name="Plane">The plane that its points are projected to.</param>
 public abstract record JobFeature(string Name, IReadOnlyList<string> Blocks, JobTolerance Tolerance, CoordinatePlane Plane)
 {
+    /// <summary>The gap that is wanted between the pieces, along the normal, mm; negative for a press fit.</summary>
+    public double GapMm { get; init; }
+
+    /// <summary>True if what the counterpart's program does differently from the theoretical outline is corrected, too; otherwise it stays,
+    /// and counts.</summary>
+    public bool CorrectsBase { get; init; }
+
     /// <summary>Its kind.</summary>
     public abstract FeatureKind Kind { get; }
 

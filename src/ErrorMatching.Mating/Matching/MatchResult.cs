@@ -30,6 +30,10 @@ public sealed record MatchResult(
     Marker? Marker,
     NcProof Proof)
 {
+    // Smaller differences are those of rounded words and chords, or a small part of what the limits allow.
+    private const double LeastBaseMm = 0.005;
+    private const double LeastBaseShare = 0.1;
+
     /// <summary>In feedback, the counterparts measured so far, and what the program to cut corrects; otherwise null.</summary>
     public CounterpartLot? Lot { get; init; }
 
@@ -57,6 +61,17 @@ public sealed record MatchResult(
         Wish ?? DisplacementWish.OfElements([]),
         LeastIncrementMm,
         Marker?.TextIn(Before.Dialect.Syntax));
+
+    /// <summary>The features of which the original program cuts so much elsewhere than their theoretical points are that it matters, and
+    /// which the job keeps there: the largest difference, mm.</summary>
+    internal IEnumerable<(string Feature, double Mm)> KeptBases => Maps.Zip(Prediction.Features)
+        .Where(m => !m.First.Feature.CorrectsBase)
+        .Select(m => (m.First.Feature, Mm: m.Second.Points.Select(p => p.BaseMm).MaxBy(Math.Abs)))
+        .Where(m => Math.Abs(m.Mm) > Math.Max(LeastBaseMm, LeastBaseShare * NearestLimitMm(m.Feature)))
+        .Select(m => (m.Feature.Name, m.Mm));
+
+    private static double NearestLimitMm(JobFeature feature) =>
+        Math.Min(Math.Abs(feature.Tolerance.Band.LowerMm), Math.Abs(feature.Tolerance.Band.UpperMm));
 
     /// <summary>What an independent judge needs to check the program to cut.</summary>
     public Certificate Certificate() =>

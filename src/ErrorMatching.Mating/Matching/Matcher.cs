@@ -48,7 +48,15 @@ public static class Matcher
             lot = following.Result;
         }
 
-        var decision = Decider.Decide(job, BoundaryPoints(input, maps, part, counterpart, lot), lot?.UncertaintyMm(job));
+        var points = BoundaryPoints(input, maps, part, counterpart, lot);
+        var decision = Decider.Decide(job, points, lot?.UncertaintyMm(job));
+        if (job.Features.Any(f => f.CorrectsBase) && lot is null)
+        {
+            // Where the program cuts is seen on the runs of its cuts, which only a decision brings together with the points.
+            points = WithBase(points, new CourseEstimator(job, path, maps, decision, input.Theoretical));
+            decision = Decider.Decide(job, points);
+        }
+
         if (!decision.IsUsable)
         {
             return Outcome.Refused<MatchResult>(decision.Refusals);
@@ -152,9 +160,21 @@ public static class Matcher
             var present = lot is null ? design
                 : lot.ExpectedMm(number++) is { } expected ? design + (expected * map.Normals[i])
                 : counterpart!.Points[label];
-            return new BoundaryPoint(label, present, part.Points[label], map.Normals[i]);
+            var gap = map.Feature.GapMm;
+            return new BoundaryPoint(label, present, part.Points[label] - (gap * map.Normals[i]), map.Normals[i]) { GapMm = gap };
         })])];
     }
+
+    // The program begins where it cuts, not where it should.
+    private static List<IReadOnlyList<BoundaryPoint>> WithBase(
+        List<IReadOnlyList<BoundaryPoint>> points, CourseEstimator estimator) =>
+    [
+        .. points.Select((feature, f) => !estimator.Features[f].CorrectsBase ? feature : [
+            .. feature.Select((p, i) => estimator.BaseMm(f, i) is var mm ? p with
+            {
+                Present = p.Present + (mm * p.Normal),
+                BaseMm = mm,
+            } : p)])];
 
     private static Outcome<MatchResult> Compensate(Known known)
     {

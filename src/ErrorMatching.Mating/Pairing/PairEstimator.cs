@@ -112,7 +112,8 @@ internal sealed class PairEstimator
         _factors.Add(PairFactor.Of(_places.Count, run.Field!.Together([.. places.Select(p => p.Terms)])));
         foreach (var place in places)
         {
-            Add(place.Feature, place.Place, place.Normal, cuts, place.NominalMm, -place.ResidualMm, isBetween: place.Point < 0);
+            var beyond = place.GapMm - place.KeptBaseMm - place.ResidualMm;
+            Add(place.Feature, place.Place, place.Normal, cuts, place.NominalMm, beyond, isBetween: place.Point < 0);
         }
 
         // The first or the last place of an element, where a part touches most often.
@@ -145,13 +146,13 @@ internal sealed class PairEstimator
         var around = Enumerable.Range(0, AroundPlaces).Select(
             k => run.Run.PlaceAt(whole, whole.ToMm * (k + 0.5) / AroundPlaces)).ToArray();
         var shape = WholeShape.Of(
-            [.. run.Points.Select(p => (p.Theoretical, p.Normal, p.Deviation.Dot(p.Normal)))],
+            [.. run.Points.Select((p, i) => (p.Theoretical, p.Normal, p.Deviation.Dot(p.Normal) - run.BaseMm(i)))],
             [.. FeaturePass.Moving(_path, pass.First, pass.Last).Select(i => _path.Motions[i]).Where(m => !m.IsArc).Select(m => m.Segment)],
             run.UncertaintyMm);
         _factors.Add(new(_places.Count, shape.Factor(around)));
         foreach (var (place, normal) in around)
         {
-            Add(feature, place + (normal * shape.DeviationAt(place, normal)), normal, cuts, run.Run.Radius, 0, isBetween: true);
+            Add(feature, place + (normal * shape.DeviationAt(place, normal)), normal, cuts, run.Run.Radius, run.Points[0].GapMm, isBetween: true);
         }
     }
 

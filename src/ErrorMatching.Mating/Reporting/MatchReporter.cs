@@ -132,6 +132,9 @@ public static class MatchReporter
             Kind = map.Feature.Kind,
             Tolerance = map.Feature.Tolerance,
             Quantities = [.. Quantities(result, map, index, evaluation)],
+            GapMm = map.Feature.GapMm,
+            CorrectsBase = map.Feature.CorrectsBase,
+            BaseMm = job.Compensation.From == CompensationSource.Part ? predicted.Points.Select(p => p.BaseMm).MaxBy(Math.Abs) : null,
             Decision = decision.Decision,
             LargestMm = decision.LargestMm,
             UncertaintyMm = decision.StandardUncertaintyMm,
@@ -242,6 +245,12 @@ public static class MatchReporter
             var block = result.Before.Program.NameOf(result.Before.Program[result.Before.Motions.BlockOf(point.Motion)]);
             yield return WarningForms.Warning(
                 WarningForms.PointNotReached, point.Label, point.GapMm.ToString("0.000", CultureInfo.InvariantCulture), block);
+        }
+
+        foreach (var (feature, mm) in result.KeptBases)
+        {
+            yield return WarningForms.Warning(
+                WarningForms.BaseDiffers, feature, mm.ToString("+0.000;-0.000", CultureInfo.InvariantCulture));
         }
 
         foreach (var (motion, radius) in RadiusCheck.Others(result.Input.Job, result.Before, result.Maps))

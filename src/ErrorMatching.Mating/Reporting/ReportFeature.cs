@@ -69,6 +69,17 @@ public sealed record ReportFeature
     /// earlier versions.</summary>
     public IReadOnlyList<ElementPrior> Priors { get; init; } = [];
 
+    /// <summary>The wanted gap between the pieces, along the normal; negative for a press fit.</summary>
+    public double GapMm { get; init; }
+
+    /// <summary>True if what the original program does differently from the theoretical outline is corrected; false if it stays.</summary>
+    public bool CorrectsBase { get; init; }
+
+    /// <summary>The largest difference of the original program from the theoretical outline at the key points, signed as an error: positive
+    /// where too much material stands. Null in feedback, where it is part of what was measured, and in reports of earlier
+    /// versions.</summary>
+    public double? BaseMm { get; init; }
+
     /// <summary>Writes it into the open object.</summary>
     internal void Write(ReportWriter w)
     {
@@ -86,6 +97,9 @@ public sealed record ReportFeature
             w.Numbers("acceptanceMm", [acceptance.LowerMm, acceptance.UpperMm]);
         }
 
+        w.Number("gapMm", GapMm);
+        w.Text("base", CorrectsBase ? "correct" : "keep");
+        w.Number("baseMm", BaseMm);
         w.Number("largestMm", LargestMm);
         w.Number("uncertaintyMm", UncertaintyMm);
         w.Number("significantMm", SignificantMm);
@@ -123,6 +137,9 @@ public sealed record ReportFeature
             Tolerance = new(ReadBand(r, "toleranceMm"), r.Word<ToleranceSource>("toleranceFrom", ReportWords.Of)),
             Quantities = ReadQuantities(r),
             Decision = r.Word<Decision>("decision", ReportWords.Of),
+            GapMm = r.OptionalNumber("gapMm") ?? 0,
+            CorrectsBase = r.OptionalText("base") == "correct",
+            BaseMm = r.OptionalNumber("baseMm"),
             LargestMm = r.Number("largestMm"),
             UncertaintyMm = r.Number("uncertaintyMm"),
             Acceptance = r.Names.Contains("acceptanceMm") ? ReadBand(r, "acceptanceMm") : null,

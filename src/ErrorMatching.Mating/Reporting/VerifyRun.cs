@@ -54,7 +54,10 @@ public static class VerifyRun
                         part.Points[p.Label],
                         before?.Points[p.Label] ?? p.Theoretical,
                         after.Points[p.Label],
-                        m.First.Normals[i]))]);
+                        m.First.Normals[i])
+                    {
+                        GapMm = m.First.Feature.GapMm,
+                    })]);
         ReportInput[] inputs =
         [
             new("theoretical", input.Theoretical.File, input.Theoretical.Sha256),

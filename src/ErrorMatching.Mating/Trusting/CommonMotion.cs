@@ -37,7 +37,7 @@ public sealed record CommonMotion(
     internal static CommonMotion? Of(IReadOnlyList<BoundaryPoint> points, double uncertaintyMm, double? mostMm)
     {
         var n = points.Count;
-        var squares = points.Sum(p => p.NormalMm * p.NormalMm);
+        var squares = points.Sum(p => p.MeasuredMm * p.MeasuredMm);
         if (n < 3 || squares == 0)
         {
             return null;
@@ -52,7 +52,7 @@ public sealed record CommonMotion(
             1 => points[i].Normal.Y,
             _ => (points[i].Present - middle).Cross(points[i].Normal) / scale,
         });
-        var values = Vector<double>.Build.Dense(n, i => points[i].NormalMm);
+        var values = Vector<double>.Build.Dense(n, i => points[i].MeasuredMm);
         var svd = design.Svd();
         int[] told = [.. Enumerable.Range(0, Math.Min(3, n)).Where(k => svd.S[k] > LeastShare * svd.S[0])];
         if (n - told.Length < 2)

@@ -10,11 +10,14 @@ namespace ErrorMatching.Mating;
 /// <param name="Normal">Unit normal of the boundary, from the counterpart's material to its tool.</param>
 public sealed record VerifiedPoint(string Label, Point2 Part, Point2 Before, Point2 After, Vector2 Normal)
 {
-    /// <summary>The mating error before: counterpart - part.</summary>
-    public MatingError BeforeError => new(Before - Part, Normal);
+    /// <summary>The gap that the job wants there, mm.</summary>
+    public double GapMm { get; init; }
 
-    /// <summary>The mating error after: counterpart - part.</summary>
-    public MatingError AfterError => new(After - Part, Normal);
+    /// <summary>The mating error before: counterpart - part, less the wanted gap.</summary>
+    public MatingError BeforeError => new(Before - Part + (Normal * GapMm), Normal);
+
+    /// <summary>The mating error after: counterpart - part, less the wanted gap.</summary>
+    public MatingError AfterError => new(After - Part + (Normal * GapMm), Normal);
 }
 
 /// <summary>Distance of the counterpart from the part at a key point.</summary>

@@ -23,6 +23,16 @@ internal sealed class RunningConsole : IDisposable
         _process.BeginOutputReadLine();
     }
 
+    /// <summary>What it has used of the processors, in user and system mode, since it started.</summary>
+    public TimeSpan ProcessorTime
+    {
+        get
+        {
+            _process.Refresh();
+            return _process.TotalProcessorTime;
+        }
+    }
+
     /// <summary>Ends it at once, and nothing of it has a say.</summary>
     public async Task KillAsync()
     {
