@@ -26,6 +26,11 @@ internal static class MatchVerdictText
                 verdict.Worst is { } worst ? texts.With("Pair.NoLimits", Size(worst)) : texts["Pair.NoPoints"], "Pair.Cut"),
             VerdictCode.CheckOrigin => (
                 Sentence.Joined(Within(verdict, "Pair.AllWithin"), Origin(verdict.Trust!.Motion!)), "Pair.CutIfSo"),
+            VerdictCode.NotKnownBetween => (
+                Sentence.Joined(
+                    Within(verdict, "Pair.AllWithin"),
+                    texts.With("Pair.NotKnownBetween", VerdictParts.Names(verdict.NotKnownBetween))),
+                "Pair.CutIfGood"),
             VerdictCode.WillNotAssemble => (texts.With("Pair.Overlaps", Within(verdict)), "Pair.DoNotCut"),
             VerdictCode.SuspectPoints => (Suspects(verdict.Trust!.Suspects), "Pair.NotBefore"),
             VerdictCode.NotAccepted => (
@@ -46,6 +51,9 @@ internal static class MatchVerdictText
         {
             (null, _) => null,
             ({ } worst, null) => Texts.Current.With("Pair.Worst", Signed(worst), worst.Point!, worst.Feature),
+            ({ } worst, { IsKnown: false } between) => Texts.Current.With(
+                "Pair.WorstAndNotKnown", Signed(worst), worst.Point!, worst.Feature, between.Feature,
+                $"X{ReportNumber.Plain(between.Place.X)} Y{ReportNumber.Plain(between.Place.Y)}"),
             ({ } worst, { } between) => Texts.Current.With(
                 "Pair.WorstAndBetween", Signed(worst), worst.Point!, worst.Feature, Signed(between), between.Feature,
                 $"X{ReportNumber.Plain(between.Place.X)} Y{ReportNumber.Plain(between.Place.Y)}"),

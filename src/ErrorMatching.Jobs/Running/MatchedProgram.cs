@@ -17,7 +17,8 @@ public sealed record MatchedProgram(MatchResult Match, MatchReport Report)
     /// <summary>The verdicts that may be accepted, by their codes.</summary>
     public static IReadOnlyList<string> Acceptable { get; } = [
         .. Enum.GetValues<VerdictCode>()
-            .Where(c => c is not (VerdictCode.Within or VerdictCode.NoLimits or VerdictCode.CheckOrigin or VerdictCode.ProofFails))
+            .Where(c => c is not (VerdictCode.Within or VerdictCode.NoLimits or VerdictCode.CheckOrigin
+                or VerdictCode.NotKnownBetween or VerdictCode.ProofFails))
             .Select(ReportWords.Of)];
 
     /// <summary>The same with a program that is withheld if its verdict says not to cut it and is not accepted: then the report names no

@@ -17,6 +17,15 @@ internal sealed record BoundaryElement(FeaturePass Pass, int First, int Last, El
     /// <summary>Angle that the arc turns, radians; 0 unless <see cref="ElementForm.Arc"/>.</summary>
     public double Sweep { get; init; }
 
+    /// <summary>Standard deviation of its form error, as the job states it, mm; null if its points are to tell it.</summary>
+    public double? FormMm { get; init; }
+
+    /// <summary>Number of key points that determine its shape without a rest: more of them say something about its form.</summary>
+    public int PointsOfShape => Form == ElementForm.Arc ? 3 : 2;
+
+    /// <summary>Number of its key points that are beside it, not on a corner.</summary>
+    public int OwnPoints => Pass.Feet.Count(f => !f.OnCorner && Contains(f.Motion));
+
     /// <summary>Length of the boundary from the start of the pass to its start, mm.</summary>
     public double FromMm => Pass.Starts[First - Pass.First];
 

@@ -19,6 +19,7 @@ internal sealed class CourseEstimator
     private readonly MatingDecision _decision;
     private readonly IReadOnlyList<Point2>[] _theoretical;
     private readonly List<RunEstimate> _runs = [];
+    private readonly bool _tellsForm;
     private readonly Dictionary<BoundaryElement, int> _features = new(ReferenceEqualityComparer.Instance);
     private readonly Dictionary<FeaturePass, List<BoundaryElement>> _elements = new(ReferenceEqualityComparer.Instance);
 
@@ -39,7 +40,7 @@ internal sealed class CourseEstimator
         {
             foreach (var pass in maps[f].Passes)
             {
-                _elements[pass] = [.. maps[f].Feature.Elements(path, pass)];
+                _elements[pass] = [.. maps[f].Feature.Elements(path, pass).Select(e => e with { FormMm = maps[f].Feature.FormMm })];
                 foreach (var element in _elements[pass])
                 {
                     _features.Add(element, f);
@@ -47,6 +48,7 @@ internal sealed class CourseEstimator
             }
         }
 
+        _tellsForm = _features.Keys.Any(e => e.OwnPoints > e.PointsOfShape);
         var u = decision.Features[0].StandardUncertaintyMm;
         for (var f = 0; f < maps.Count; f++)
         {
@@ -216,8 +218,10 @@ internal sealed class CourseEstimator
             }
         }
 
-        var worst = _elements[pass].Select(e => run.WorstBetween(e, cutsAfter)).OfType<PredictedError>()
-            .MaxBy(e => Math.Abs(e.AfterMm));
+        var worst = _elements[pass].Count == 0
+            ? WholeShape.Around(run, _path, pass).WorstOn(cutsBefore, cutsAfter, map.Feature.FormMm)
+            : _elements[pass].Select(e => WorstBetween(run, e, cutsAfter)).OfType<PredictedError>()
+                .OrderBy(e => e.IsKnown).ThenByDescending(e => Math.Abs(e.AfterMm)).FirstOrDefault();
         return new(
             points,
             worst is null ? null : worst with { Place = toPart.Apply(worst.Place), Normal = toPart.Apply(worst.Normal) },
@@ -227,6 +231,12 @@ internal sealed class CourseEstimator
                 _elements[pass].MinBy(e => Math.Max(0, Math.Max(e.FromMm - along, along - e.ToMm)))!, along),
         };
     }
+
+    // With as many points as its shape needs, an element does not tell its form. Another one of the job may tell how large such errors are.
+    private PredictedError? WorstBetween(RunEstimate run, BoundaryElement element, RunPath cuts) =>
+        element.FormMm is not null || element.OwnPoints > element.PointsOfShape || _tellsForm
+            ? run.WorstBetween(element, cuts)
+            : run.WidestGap(element, cuts);
 
     private bool IsCompensated(int feature) => _decision.Features[feature].Decision == Decision.Compensated;
 

@@ -9,7 +9,8 @@ public sealed record MatingPrediction(IReadOnlyList<FeaturePrediction> Features)
 
 /// <summary>The predicted mating error of a feature.</summary>
 /// <param name="Points">Its key points in the order of the job: measured exactly against all cuts of the program around them.</param>
-/// <param name="WorstBetween">The largest error that is expected between them; null for kinds without a course.</param>
+/// <param name="WorstBetween">The largest error that is expected between them; if nothing is known there, the place where one more point
+/// would tell most. Null for an element with a single point.</param>
 /// <param name="Priors">What was assumed about each of its elements before it was measured; empty for kinds without a course.</param>
 public sealed record FeaturePrediction(
     IReadOnlyList<PredictedError> Points, PredictedError? WorstBetween, IReadOnlyList<ElementPrior> Priors)
@@ -33,6 +34,10 @@ public sealed record PredictedError(Point2 Place, Vector2 Normal, double BeforeM
     /// feedback, where the measured counterpart has it. Not in a report's place between points.</summary>
     public double BaseMm { get; init; }
 
+    /// <summary>False if the points say nothing of the form of the boundary there, and the job states none: then the errors are those of a
+    /// perfect shape, and their uncertainty is not known.</summary>
+    public bool IsKnown { get; init; } = true;
+
     /// <summary>Half the 95 % interval about either error.</summary>
     public double Interval95Mm => Factor95 * StandardUncertaintyMm;
 
@@ -43,12 +48,17 @@ public sealed record PredictedError(Point2 Place, Vector2 Normal, double BeforeM
         w.Vector("normal", Normal);
         w.Number("uncompensatedMm", BeforeMm);
         w.Number("predictedMm", AfterMm);
-        w.Number("uncertaintyMm", StandardUncertaintyMm);
+        w.Flag("known", IsKnown);
+        w.Number("uncertaintyMm", IsKnown ? StandardUncertaintyMm : null);
+        w.Number("interval95Mm", IsKnown ? Interval95Mm : null);
     }
 
     /// <summary>Reads what <see cref="Write"/> writes.</summary>
     internal static PredictedError Read(ReportReader r) => new(
-        r.Point("place"), r.Vector("normal"), r.Number("uncompensatedMm"), r.Number("predictedMm"), r.Number("uncertaintyMm"));
+        r.Point("place"), r.Vector("normal"), r.Number("uncompensatedMm"), r.Number("predictedMm"), r.OptionalNumber("uncertaintyMm") ?? 0)
+    {
+        IsKnown = r.OptionalFlag("known") ?? true,
+    };
 }
 
 /// <summary>What was assumed about the deviation of an element before it was measured, chosen by the evidence of the key points.</summary>

@@ -16,6 +16,9 @@ internal static class PriorChoice
     // distance of two key points: it stands for an error that each point has by itself.
     private static readonly double[] _formLengths = [0.03, 0.12, 0.25, 0.5];
 
+    // The middle of a bow is hardly correlated with its ends.
+    private const double StatedFormLength = 0.25;
+
     /// <summary>The form error that is assumed where nothing tells one, as a part of the standard uncertainty.</summary>
     private const double LeastError = 0.25;
 
@@ -60,7 +63,10 @@ internal static class PriorChoice
                     (element, e) => new DeviationPrior(element, tilt, noise, [.. own[e].Select(r => r.Terms[0].AlongMm)])
                     {
                         Form = element.Form == ElementForm.Free ? forms[e]
-                            : FormOf(element, isCut && own[e].Length == 2 ? LeastForm(noise) : form)
+                            : FormOf(
+                                element,
+                                isCut && own[e].Length == 2 ? LeastForm(noise)
+                                    : element.FormMm is { } mm ? [(mm * mm, StatedFormLength)] : form)
                     })];
     }
 

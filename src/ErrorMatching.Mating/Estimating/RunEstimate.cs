@@ -198,26 +198,52 @@ internal sealed class RunEstimate
             return null;
         }
 
-        var index = IndexOf(element);
         var (worst, at) = (0.0, from);
         for (var k = 0; k <= steps; k++)
         {
             var along = from + ((to - from) * k / steps);
-            var error = ErrorOf(after, along);
+            var error = ErrorBetween(element, after, along);
             (worst, at) = Math.Abs(error) > Math.Abs(worst) ? (error, along) : (worst, at);
         }
 
-        var (nominal, normal) = Run.PlaceAt(element, at);
-        return new(nominal, normal, ErrorOf(_before, at), worst, Field!.StandardDeviation(index, at));
-
-        double ErrorOf(RunPath cuts, double along)
-        {
-            // The boundary of the program before is where it cuts, not where the theoretical outline is.
-            var (place, toTool) = Run.PlaceAt(element, along);
-            var wanted = place + (toTool * (Field!.Mean(index, along) - BaseAt(element, along).All));
-            return cuts.FootOf(wanted, toTool).DistanceMm - Run.Radius;
-        }
+        return ErrorBetween(element, at, worst);
     }
+
+    /// <summary>The middle between the two neighboring key points of an element that are furthest apart, where one more would tell most about
+    /// its form, with the error there of a perfect shape.</summary>
+    /// <returns>Null if the element has fewer than two key points of its own.</returns>
+    public PredictedError? WidestGap(BoundaryElement element, RunPath after)
+    {
+        double[] feet = [.. FeetOf(element).Order()];
+        if (feet.Length < 2)
+        {
+            return null;
+        }
+
+        var (from, to) = feet.Zip(feet.Skip(1)).MaxBy(g => g.Second - g.First);
+        var at = (from + to) / 2;
+        return ErrorBetween(element, at, ErrorBetween(element, after, at)) with
+        {
+            IsKnown = false
+        };
+    }
+
+    private PredictedError ErrorBetween(BoundaryElement element, double at, double mm)
+    {
+        var (nominal, normal) = Run.PlaceAt(element, at);
+        return new(nominal, normal, ErrorBetween(element, _before, at), mm, Field!.StandardDeviation(IndexOf(element), at));
+    }
+
+    private double ErrorBetween(BoundaryElement element, RunPath cuts, double along)
+    {
+        // The boundary of the program before is where it cuts, not where the theoretical outline is.
+        var (place, toTool) = Run.PlaceAt(element, along);
+        var wanted = place + (toTool * (Field!.Mean(IndexOf(element), along) - BaseAt(element, along).All));
+        return cuts.FootOf(wanted, toTool).DistanceMm - Run.Radius;
+    }
+
+    private static IEnumerable<double> FeetOf(BoundaryElement element) =>
+        element.Pass.Feet.Where(f => element.Contains(f.Motion)).Select(element.Pass.Along);
 
     /// <summary>The places at which another way of cutting is compared: the key points, and the boundary between the outermost ones of
     /// each element.</summary>
@@ -268,7 +294,7 @@ internal sealed class RunEstimate
     // The part of an element between its outermost key points, and in how many steps it is compared.
     private static (double From, double To, int Steps)? Span(BoundaryElement element)
     {
-        double[] feet = [.. element.Pass.Feet.Where(f => element.Contains(f.Motion)).Select(element.Pass.Along)];
+        double[] feet = [.. FeetOf(element)];
         return feet.Length < 2
             ? null
             : (feet.Min(), feet.Max(), Math.Clamp((int)Math.Ceiling((feet.Max() - feet.Min()) / SpacingMm), 1, MostPlaces));

@@ -19,6 +19,10 @@ public abstract record JobFeature(string Name, IReadOnlyList<string> Blocks, Job
     /// and counts.</summary>
     public bool CorrectsBase { get; init; }
 
+    /// <summary>Standard deviation of the form error that its points do not tell, such as the bow of a line with two points, mm; null if
+    /// nothing is stated.</summary>
+    public double? FormMm { get; init; }
+
     /// <summary>Its kind.</summary>
     public abstract FeatureKind Kind { get; }
 

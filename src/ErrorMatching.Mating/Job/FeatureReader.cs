@@ -31,7 +31,12 @@ internal sealed class FeatureReader(JobProblems problems, ToleranceReader tolera
         var tolerance = tolerances.ReadTolerance(item["toleranceMm"], chain);
         var plane = item.Find("plane")?.Text switch { "ZX" => CoordinatePlane.ZX, "YZ" => CoordinatePlane.YZ, _ => CoordinatePlane.XY };
         var feature = FeatureKinds.Of(item["kind"].Text).Read(new(item, name, blocks, tolerance, plane, Labels, problems));
-        feature = feature with { GapMm = item.Find("gapMm")?.Number ?? 0, CorrectsBase = item.Find("base")?.Text == "correct" };
+        feature = feature with
+        {
+            GapMm = item.Find("gapMm")?.Number ?? 0,
+            CorrectsBase = item.Find("base")?.Text == "correct",
+            FormMm = item.Find("formMm")?.Number,
+        };
         if (!_byName.TryAdd(name, feature))
         {
             problems.Refuse(item["name"], "duplicate-name", $"the name \"{name}\" again", "a name that no other feature has");

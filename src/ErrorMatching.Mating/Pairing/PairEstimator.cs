@@ -6,9 +6,6 @@ namespace ErrorMatching.Mating;
 /// <summary>Puts the part, as it was estimated, into the counterpart that a program will cut.</summary>
 internal sealed class PairEstimator
 {
-    // The boundary of a circle or slot is compared at so many places all around.
-    private const int AroundPlaces = 72;
-
     // Of a longer boundary every second place, or every third, is compared: the time of a match must not grow with it.
     private const int MostPlaces = 500;
 
@@ -142,15 +139,9 @@ internal sealed class PairEstimator
             return;
         }
 
-        var whole = new BoundaryElement(pass, pass.First, pass.Last, ElementForm.Free);
-        var around = Enumerable.Range(0, AroundPlaces).Select(
-            k => run.Run.PlaceAt(whole, whole.ToMm * (k + 0.5) / AroundPlaces)).ToArray();
-        var shape = WholeShape.Of(
-            [.. run.Points.Select((p, i) => (p.Theoretical, p.Normal, p.Deviation.Dot(p.Normal) - run.BaseMm(i)))],
-            [.. FeaturePass.Moving(_path, pass.First, pass.Last).Select(i => _path.Motions[i]).Where(m => !m.IsArc).Select(m => m.Segment)],
-            run.UncertaintyMm);
-        _factors.Add(new(_places.Count, shape.Factor(around)));
-        foreach (var (place, normal) in around)
+        var shape = WholeShape.Around(run, _path, pass);
+        _factors.Add(new(_places.Count, shape.Factor(shape.Places)));
+        foreach (var (place, normal) in shape.Places)
         {
             Add(feature, place + (normal * shape.DeviationAt(place, normal)), normal, cuts, run.Run.Radius, run.Points[0].GapMm, isBetween: true);
         }

@@ -17,7 +17,7 @@ public sealed record MatchVerdict
     public required VerdictCode Code { get; init; }
 
     /// <summary>True if the counterpart can be cut; false if somebody has to decide first.</summary>
-    public bool IsToCut => Code is VerdictCode.Within or VerdictCode.NoLimits or VerdictCode.CheckOrigin;
+    public bool IsToCut => Code is VerdictCode.Within or VerdictCode.NoLimits or VerdictCode.CheckOrigin or VerdictCode.NotKnownBetween;
 
     /// <summary>What the measured points say about each other; null in reports of earlier versions.</summary>
     public required MeasurementTrust? Trust { get; init; }
@@ -44,6 +44,9 @@ public sealed record MatchVerdict
     /// <summary>Names of the features that are expected to be outside their limits between the key points.</summary>
     public required IReadOnlyList<string> OutsideBetween { get; init; }
 
+    /// <summary>Names of the features with limits of whose boundary between the key points nothing is known.</summary>
+    public required IReadOnlyList<string> NotKnownBetween { get; init; }
+
     /// <summary>The limits of the mating error if all points have the same; otherwise null.</summary>
     public required ToleranceBand? Limits { get; init; }
 
@@ -60,8 +63,9 @@ public sealed record MatchVerdict
     /// limits.</summary>
     public required ErrorLeft? Tightest { get; init; }
 
-    /// <summary>The error with the largest magnitude that is expected between the key points of a feature; null if no feature has a
-    /// course.</summary>
+    /// <summary>The error with the largest magnitude that is expected between the key points of a feature; if nothing is known of one, that
+    /// one, at the place where one more point would tell most. Null if no feature has two points, and in reports of earlier
+    /// versions.</summary>
     public required ErrorLeft? WorstBetween { get; init; }
 
     /// <summary>The probability that every key point will be within its limits, if the errors of the points are independent; null without
@@ -82,6 +86,8 @@ public sealed record MatchVerdict
         IReadOnlyList<string> between = [
             .. report.Features.Where(f => f.WorstBetween is { } e && limits[f.Name] is { WidthMm: > 0 } l && !l.Contains(e.AfterMm))
                 .Select(f => f.Name)];
+        IReadOnlyList<string> notKnown = [
+            .. report.Features.Where(f => f.WorstBetween is { IsKnown: false } && limits[f.Name].WidthMm > 0).Select(f => f.Name)];
         var all = judged.Select(p => LimitsOf(p)).Distinct().ToArray();
         return new()
         {
@@ -93,6 +99,7 @@ public sealed record MatchVerdict
                 : notAccepted.Count > 0 ? VerdictCode.NotAccepted
                 : report.Trust is { Motion.AsksForOrigin: true } ? VerdictCode.CheckOrigin
                 : judged.Length == 0 ? VerdictCode.NoLimits
+                : notKnown.Count > 0 ? VerdictCode.NotKnownBetween
                 : VerdictCode.Within,
             Trust = report.Trust,
             IsCompensated = report.IsCorrected,
@@ -101,12 +108,14 @@ public sealed record MatchVerdict
             Outside = outside,
             NotAccepted = notAccepted,
             OutsideBetween = between,
+            NotKnownBetween = notKnown,
             Limits = all.Length == 1 ? all[0] : null,
             AllLimits = [.. limits.Values],
             Pair = report.Pair,
             Worst = Largest(report.KeyPoints.Select(Left)),
             Tightest = judged.Select(Left).MinBy(e => e.MarginMm),
-            WorstBetween = Largest(report.Features.Where(f => f.WorstBetween is not null).Select(f => ErrorLeft.Between(f)!)),
+            WorstBetween = report.Features.Select(ErrorLeft.Between).OfType<ErrorLeft>()
+                .OrderBy(e => e.IsKnown).ThenByDescending(e => Math.Abs(e.MatingErrorMm)).FirstOrDefault(),
             ProbabilityAfter = report.ProbabilityAfter,
         };
 
@@ -127,6 +136,7 @@ public sealed record MatchVerdict
         w.Texts("outside", Outside);
         w.Texts("notAccepted", NotAccepted);
         w.Texts("outsideBetween", OutsideBetween);
+        w.Texts("notKnownBetween", NotKnownBetween);
         w.Optional("worst", Worst, e => e.Write(w));
         w.Optional("worstBetween", WorstBetween, e => e.Write(w));
         w.Number("probabilityAfter", ProbabilityAfter);
@@ -148,6 +158,9 @@ public sealed record MatchVerdict
 public sealed record ErrorLeft(
     string Feature, string? Point, Point2 Place, Vector2 Normal, double MatingErrorMm, double? Interval95Mm, ToleranceBand Limits)
 {
+    /// <summary>False if nothing is known of the form of the boundary there.</summary>
+    public bool IsKnown { get; init; } = true;
+
     /// <summary>The distance to the nearer limit; negative beyond it.</summary>
     public double MarginMm => Math.Min(MatingErrorMm - Limits.LowerMm, Limits.UpperMm - MatingErrorMm);
 
@@ -159,7 +172,11 @@ public sealed record ErrorLeft(
     {
         ArgumentNullException.ThrowIfNull(feature);
         return feature.WorstBetween is { } e
-            ? new(feature.Name, null, e.Place, e.Normal, e.AfterMm, e.Interval95Mm, feature.Tolerance.Band.Opposite())
+            ? new(
+                feature.Name, null, e.Place, e.Normal, e.AfterMm, e.IsKnown ? e.Interval95Mm : null, feature.Tolerance.Band.Opposite())
+            {
+                IsKnown = e.IsKnown,
+            }
             : null;
     }
 
@@ -169,6 +186,7 @@ public sealed record ErrorLeft(
         w.Text("feature", Feature);
         w.Text("point", Point);
         w.Point("place", Place);
+        w.Flag("known", IsKnown);
         w.Number("predictedMm", MatingErrorMm);
         w.Number("interval95Mm", Interval95Mm);
     }
@@ -186,6 +204,10 @@ public enum VerdictCode
     /// <summary>Every key point will be within its limits, but one motion of the whole part explains nearly all that was measured: cut, if
     /// the origin is right.</summary>
     CheckOrigin,
+
+    /// <summary>Every key point will be within its limits, but nothing is known of the boundary between those of a feature: cut, if its form
+    /// is good enough.</summary>
+    NotKnownBetween,
 
     /// <summary>A key point will be within its limits, but inside the guard band of the job's rule.</summary>
     NotAccepted,

@@ -21,6 +21,7 @@ public static class ReportWords
         VerdictCode.Within => "within-limits",
         VerdictCode.NoLimits => "no-limits",
         VerdictCode.CheckOrigin => "check-origin",
+        VerdictCode.NotKnownBetween => "not-known-between",
         VerdictCode.SuspectPoints => "suspect-points",
         VerdictCode.WillNotAssemble => "will-not-assemble",
         VerdictCode.NotAccepted => "not-accepted",

@@ -22,6 +22,9 @@ public static class VerdictWords
             VerdictCode.CheckOrigin =>
                 $"{Within(verdict)}.{unchanged} But {Motion(verdict.Trust!.Motion!)} of what was measured: is the origin right? "
                     + "Cut it if so.",
+            VerdictCode.NotKnownBetween =>
+                $"{Within(verdict)}.{unchanged} Between them, nothing is known of {ReportNames.Of(verdict.NotKnownBetween)}. Cut it if the "
+                    + "form there is good enough.",
             VerdictCode.WillNotAssemble =>
                 $"{Within(verdict)}, but the pair overlaps by more than the limits allow.{unchanged} Do not cut it.",
             VerdictCode.SuspectPoints => $"{Suspects(verdict.Trust!.Suspects)} Do not cut it before.",
@@ -110,7 +113,10 @@ public static class VerdictWords
         ArgumentNullException.ThrowIfNull(verdict);
         return verdict.Worst is not { } worst ? null
             : $"Worst at the points: {Signed(worst)} mm at point {worst.Point} of {worst.Feature}"
-                + (verdict.WorstBetween is { } between
+                + (verdict.WorstBetween is { IsKnown: false } notKnown
+                    ? $"; between them not known: one more point near {Place(notKnown)} on {notKnown.Feature} would tell most, or \"formMm\" "
+                        + "states the form error"
+                    : verdict.WorstBetween is { } between
                     ? $"; between them: {Signed(between)} mm on {between.Feature} near {Place(between)}"
                     : "")
                 + ".";

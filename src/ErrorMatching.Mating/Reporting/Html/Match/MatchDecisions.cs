@@ -33,7 +33,7 @@ internal static class MatchDecisions
             {
                 row.Number(
                     ErrorLeft.Between(feature) is { } worst
-                        ? (worst.IsOutside ? "⚠ " : "") + VerdictWords.Signed(worst)
+                        ? (worst.IsOutside ? "⚠ " : "") + (worst.IsKnown ? VerdictWords.Signed(worst) : "not known")
                         : ReportNumber.None);
                 row.Text(ErrorLeft.Between(feature) is { } place ? VerdictWords.Place(place) : ReportNumber.None);
             }

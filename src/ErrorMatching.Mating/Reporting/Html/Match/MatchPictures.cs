@@ -29,7 +29,7 @@ internal static class MatchPictures
     // The place on the axis of the points, at its share of the way from one key point to the next.
     private static PlotPlace? Between(MatchReport report, ReportFeature feature)
     {
-        if (ErrorLeft.Between(feature) is not { } worst)
+        if (ErrorLeft.Between(feature) is not { IsKnown: true } worst)
         {
             return null;
         }

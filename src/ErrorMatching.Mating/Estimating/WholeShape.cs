@@ -1,0 +1,140 @@
+using ErrorMatching.Geometry;
+using ErrorMatching.Nc;
+using MathNet.Numerics.LinearAlgebra;
+using MathNet.Numerics.LinearAlgebra.Factorization;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>The deviation of a feature that is estimated as a whole: its shift and growth, and with flanks its turn and stretch, by least
+/// squares of the deviations at its key points.</summary>
+/// <remarks>The standard deviation of a point is that of the residuals or the stated uncertainty, whichever is larger.</remarks>
+internal sealed record WholeShape
+{
+    // The boundary is compared at so many places all around.
+    private const int AroundPlaces = 72;
+
+    // So many points more than the parameters show that a circle is oval.
+    private const int TellingPoints = 3;
+
+    private readonly Point2 _middle;
+    private readonly double _arm;
+    private readonly Vector2? _along;
+    private readonly Vector<double> _mean;
+
+    // Its columns, times standard normal numbers, are what is not known about the parameters.
+    private readonly Matrix<double> _spread;
+
+    private readonly double _radius, _formMm;
+    private readonly bool _tellsForm;
+    private readonly IReadOnlyList<Point2> _points;
+
+    private WholeShape(Point2 middle, double arm, Vector2? along, IReadOnlyList<(Point2 Place, Vector2 Normal, double Mm)> points, double u,
+        double radius)
+    {
+        (_middle, _arm, _along, _radius) = (middle, arm, along, radius);
+        var rows = Matrix<double>.Build.DenseOfRowArrays(points.Select(p => Row(p.Place, p.Normal)));
+        var values = Vector<double>.Build.Dense(points.Count, i => points[i].Mm);
+        var fitted = Fit(rows, u);
+        var left = values - (rows * fitted.Solve(rows.TransposeThisAndMultiply(values) / (u * u)));
+        var freedom = points.Count - rows.ColumnCount;
+        var scatter = freedom > 0 ? Math.Sqrt(left.DotProduct(left) / freedom) : 0;
+        _points = [.. points.Select(p => p.Place)];
+        _tellsForm = freedom >= TellingPoints;
+        _formMm = Math.Sqrt(Math.Max(0, (scatter * scatter) - (u * u)));
+        u = Math.Max(u, scatter);
+        fitted = Fit(rows, u);
+        _mean = fitted.Solve(rows.TransposeThisAndMultiply(values) / (u * u));
+        _spread = fitted.Factor.Transpose().Inverse();
+    }
+
+    /// <summary>The shape of key points.</summary>
+    /// <param name="points">Their designed places, normals and deviations along them.</param>
+    /// <param name="flanks">The straight cuts of the feature.</param>
+    /// <param name="uncertaintyMm">Standard uncertainty of a point.</param>
+    /// <param name="radius">Distance of the path from the boundary, mm.</param>
+    public static WholeShape Of(
+        IReadOnlyList<(Point2 Place, Vector2 Normal, double Mm)> points, IReadOnlyList<Segment2> flanks, double uncertaintyMm, double radius = 0)
+    {
+        var middle = new Point2(points.Average(p => p.Place.X), points.Average(p => p.Place.Y));
+        var longest = flanks.Where(f => f.Length > 0).Select(f => (Segment2?)f).MaxBy(f => f!.Value.Length);
+        return new(
+            middle,
+            Math.Max(points.Max(p => p.Place.DistanceTo(middle)), 1e-6),
+            longest is { } flank ? (flank.End - flank.Start).Normalize() : null,
+            points,
+            Math.Max(uncertaintyMm, DeviationField.LeastUncertaintyMm),
+            radius);
+    }
+
+    /// <summary>The shape of the feature that a run without elements cuts, against what the program before cuts there.</summary>
+    /// <param name="run">The run, with the key points of the feature.</param>
+    /// <param name="path">The program before.</param>
+    /// <param name="pass">The cut of the feature.</param>
+    public static WholeShape Around(RunEstimate run, NcPath path, FeaturePass pass)
+    {
+        var whole = new BoundaryElement(pass, pass.First, pass.Last, ElementForm.Free);
+        return Of(
+            [.. run.Points.Select((p, i) => (p.Theoretical, p.Normal, p.Deviation.Dot(p.Normal) - run.BaseMm(i)))],
+            [.. FeaturePass.Moving(path, pass.First, pass.Last).Select(i => path.Motions[i]).Where(m => !m.IsArc).Select(m => m.Segment)],
+            run.UncertaintyMm,
+            run.Run.Radius) with
+        {
+            Places = [
+                .. Enumerable.Range(0, AroundPlaces).Select(k => run.Run.PlaceAt(whole, whole.ToMm * (k + 0.5) / AroundPlaces))],
+        };
+    }
+
+    /// <summary>Places all around as the program before cuts them, with their normals toward the tool.</summary>
+    public IReadOnlyList<(Point2 Place, Vector2 Normal)> Places { get; private init; } = [];
+
+    /// <summary>The largest error expected all around.</summary>
+    /// <param name="before">The cuts of the program before.</param>
+    /// <param name="after">Those of the program to cut.</param>
+    /// <param name="statedMm">Standard deviation of the form error as the job states it; null if the points are to tell it.</param>
+    /// <returns>The error; if the points do not tell a form error, that at the place furthest from all points, not known.</returns>
+    public PredictedError WorstOn(RunPath before, RunPath after, double? statedMm)
+    {
+        var isKnown = statedMm is not null || _tellsForm;
+        var (place, normal) = isKnown
+            ? Places.MaxBy(p => Math.Abs(ErrorOn(after, p)))
+            : Places.MaxBy(p => _points.Min(q => q.DistanceTo(p.Place)));
+        var shape = Factor([(place, normal)]).Sum(c => c[0] * c[0]);
+        var form = statedMm ?? _formMm;
+        return new(place, normal, ErrorOn(before, (place, normal)), ErrorOn(after, (place, normal)), Math.Sqrt(shape + (form * form)))
+        {
+            IsKnown = isKnown,
+        };
+    }
+
+    private double ErrorOn(RunPath cuts, (Point2 Place, Vector2 Normal) at) =>
+        cuts.FootOf(at.Place + (at.Normal * DeviationAt(at.Place, at.Normal)), at.Normal).DistanceMm - _radius;
+
+    /// <summary>The expected deviation at a place, toward the tool, mm.</summary>
+    public double DeviationAt(Point2 place, Vector2 normal) => Vector<double>.Build.Dense(Row(place, normal)).DotProduct(_mean);
+
+    /// <summary>What is not known about the deviations at places together, in columns.</summary>
+    public IReadOnlyList<double[]> Factor(IReadOnlyList<(Point2 Place, Vector2 Normal)> places)
+    {
+        var rows = Matrix<double>.Build.DenseOfRowArrays(places.Select(p => Row(p.Place, p.Normal)));
+        return (rows * _spread).ToColumnArrays();
+    }
+
+    // What each parameter does at a place. The ends of a stretched slot shift apart.
+    private double[] Row(Point2 place, Vector2 normal) => _along is not { } along
+        ? [normal.X, normal.Y, 1]
+        : [
+            normal.X, normal.Y, 1, (place - _middle).Cross(normal) / _arm,
+            Math.Sign((place - _middle).Dot(along)) * normal.Dot(along)];
+
+    // What no point tells is vague.
+    private static Cholesky<double> Fit(Matrix<double> rows, double u)
+    {
+        var precision = rows.TransposeThisAndMultiply(rows) / (u * u);
+        for (var i = 0; i < precision.RowCount; i++)
+        {
+            precision[i, i] += 1 / (DeviationPrior.VagueMm * DeviationPrior.VagueMm);
+        }
+
+        return precision.Cholesky();
+    }
+}
