@@ -26,6 +26,13 @@ public static class WarningForms
         "Under cutter compensation the tool passes the point {0} at {1} mm: it leaves a round of its own radius in the inside corner of "
             + "{2}. What is corrected there cannot be cut. For the next parts, choose a key point that the tool touches.");
 
+    /// <summary>The blocks before and after the corner, radius, overlap and diameter of the largest tool, mm.</summary>
+    public static SentenceForm InsideCorner { get; } = new(
+        "inside-corner",
+        "In the inside corner of {0} and {1} the tool leaves a round of {2} mm. A part with a sharp corner would overlap there by {3} mm, "
+            + "and no correction changes that. Round the part's corner by as much, relieve the corner in the program, or cut it with a "
+            + "tool of at most {4} mm diameter.");
+
     /// <summary>Feature, and the largest difference in mm, positive where too much material stands.</summary>
     public static SentenceForm BaseDiffers { get; } = new(
         "base-differs",

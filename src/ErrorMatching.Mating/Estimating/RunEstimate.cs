@@ -15,7 +15,8 @@ internal sealed class RunEstimate
 
     private readonly BoundaryRow?[] _ofPoints;
     private readonly RunPath _before;
-    private readonly Dictionary<BoundaryElement, (double AlongMm, double All, double Corrected)[]> _bases = new(ReferenceEqualityComparer.Instance);
+    private readonly Dictionary<BoundaryElement, (double AlongMm, double All, double Corrected)[]> _bases =
+        new(ReferenceEqualityComparer.Instance);
     private (DeviationPrior[] OfCuts, DeviationPrior[] OfPiece)? _priors;
 
     public RunEstimate(BoundaryRun run, IReadOnlyList<RunPoint> points, double uncertaintyMm)
@@ -209,8 +210,8 @@ internal sealed class RunEstimate
         return ErrorBetween(element, at, worst);
     }
 
-    /// <summary>The middle between the two neighboring key points of an element that are furthest apart, where one more would tell most about
-    /// its form, with the error there of a perfect shape.</summary>
+    /// <summary>The middle between the two neighboring key points of an element that are furthest apart, where one more would tell most
+    /// about its form, with the error there of a perfect shape.</summary>
     /// <returns>Null if the element has fewer than two key points of its own.</returns>
     public PredictedError? WidestGap(BoundaryElement element, RunPath after)
     {
@@ -342,8 +343,8 @@ internal sealed record ComparedPlace(RunEstimate Run, int Feature, int Point, Po
     /// <summary>How far the measured point is beyond the estimated boundary, toward the tool, mm; 0 between key points.</summary>
     public double ResidualMm { get; init; }
 
-    /// <summary>What the program before does differently there from the theoretical outline, and the job keeps, mm: positive where it leaves
-    /// too much material.</summary>
+    /// <summary>What the program before does differently there from the theoretical outline, and the job keeps, mm: positive where it
+    /// leaves too much material.</summary>
     public double KeptBaseMm { get; init; }
 
     /// <summary>The gap that the job wants there, mm.</summary>

@@ -28,7 +28,12 @@ internal sealed record WholeShape
     private readonly bool _tellsForm;
     private readonly IReadOnlyList<Point2> _points;
 
-    private WholeShape(Point2 middle, double arm, Vector2? along, IReadOnlyList<(Point2 Place, Vector2 Normal, double Mm)> points, double u,
+    private WholeShape(
+        Point2 middle,
+        double arm,
+        Vector2? along,
+        IReadOnlyList<(Point2 Place, Vector2 Normal, double Mm)> points,
+        double u,
         double radius)
     {
         (_middle, _arm, _along, _radius) = (middle, arm, along, radius);
@@ -53,7 +58,10 @@ internal sealed record WholeShape
     /// <param name="uncertaintyMm">Standard uncertainty of a point.</param>
     /// <param name="radius">Distance of the path from the boundary, mm.</param>
     public static WholeShape Of(
-        IReadOnlyList<(Point2 Place, Vector2 Normal, double Mm)> points, IReadOnlyList<Segment2> flanks, double uncertaintyMm, double radius = 0)
+        IReadOnlyList<(Point2 Place, Vector2 Normal, double Mm)> points,
+        IReadOnlyList<Segment2> flanks,
+        double uncertaintyMm,
+        double radius = 0)
     {
         var middle = new Point2(points.Average(p => p.Place.X), points.Average(p => p.Place.Y));
         var longest = flanks.Where(f => f.Length > 0).Select(f => (Segment2?)f).MaxBy(f => f!.Value.Length);

@@ -143,7 +143,8 @@ internal sealed class PairEstimator
         _factors.Add(new(_places.Count, shape.Factor(shape.Places)));
         foreach (var (place, normal) in shape.Places)
         {
-            Add(feature, place + (normal * shape.DeviationAt(place, normal)), normal, cuts, run.Run.Radius, run.Points[0].GapMm, isBetween: true);
+            var moved = place + (normal * shape.DeviationAt(place, normal));
+            Add(feature, moved, normal, cuts, run.Run.Radius, run.Points[0].GapMm, isBetween: true);
         }
     }
 

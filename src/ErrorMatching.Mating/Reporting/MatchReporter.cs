@@ -234,6 +234,17 @@ public static class MatchReporter
             yield return new("nc-" + problem.Code, $"{block}: {problem.Message}", block, problem.Message);
         }
 
+        foreach (var corner in InsideCorners.Of(result.Input.Job, result.Before, result.Maps))
+        {
+            yield return WarningForms.Warning(
+                WarningForms.InsideCorner,
+                BlockOf(corner.Before),
+                BlockOf(corner.After),
+                corner.RadiusMm.ToString("0.###", CultureInfo.InvariantCulture),
+                corner.OverlapMm.ToString("0.000", CultureInfo.InvariantCulture),
+                corner.MostDiameterMm.ToString("0.###", CultureInfo.InvariantCulture));
+        }
+
         foreach (var foot in result.OnCorners.Where(_ => result.Decision.Compensates))
         {
             var block = result.Before.Program.NameOf(result.Before.Program[result.Before.Motions[foot.Motion].Block]);
@@ -282,6 +293,8 @@ public static class MatchReporter
         {
             yield return WarningForms.Warning(form, values);
         }
+
+        string BlockOf(int motion) => result.Before.Program.NameOf(result.Before.Program[result.Before.Motions[motion].Block]);
 
         var rms = result.Part.Alignment.Rms;
         if (result.Input.Job.Alignment.Kind != JobAlignmentKind.None && result.Decision.Compensates)

@@ -205,8 +205,8 @@ public enum VerdictCode
     /// the origin is right.</summary>
     CheckOrigin,
 
-    /// <summary>Every key point will be within its limits, but nothing is known of the boundary between those of a feature: cut, if its form
-    /// is good enough.</summary>
+    /// <summary>Every key point will be within its limits, but nothing is known of the boundary between those of a feature: cut, if its
+    /// form is good enough.</summary>
     NotKnownBetween,
 
     /// <summary>A key point will be within its limits, but inside the guard band of the job's rule.</summary>

@@ -114,8 +114,8 @@ public static class VerdictWords
         return verdict.Worst is not { } worst ? null
             : $"Worst at the points: {Signed(worst)} mm at point {worst.Point} of {worst.Feature}"
                 + (verdict.WorstBetween is { IsKnown: false } notKnown
-                    ? $"; between them not known: one more point near {Place(notKnown)} on {notKnown.Feature} would tell most, or \"formMm\" "
-                        + "states the form error"
+                    ? $"; between them not known: one more point near {Place(notKnown)} on {notKnown.Feature} would tell most, or "
+                        + "\"formMm\" states the form error"
                     : verdict.WorstBetween is { } between
                     ? $"; between them: {Signed(between)} mm on {between.Feature} near {Place(between)}"
                     : "")

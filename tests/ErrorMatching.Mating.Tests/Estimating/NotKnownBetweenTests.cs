@@ -22,7 +22,10 @@ public sealed class NotKnownBetweenTests
         Assert.Equal((false, null), (report.Verdict.WorstBetween.IsKnown, report.Verdict.WorstBetween.Interval95Mm));
         Assert.StartsWith("2 of 2 points will be within", VerdictWords.Of(report.Verdict), StringComparison.Ordinal);
         Assert.Contains("nothing is known of L1", VerdictWords.Of(report.Verdict), StringComparison.Ordinal);
-        Assert.Contains("between them not known: one more point near X25.000 Y0.000 on L1", VerdictWords.Worst(report.Verdict)!, StringComparison.Ordinal);
+        Assert.Contains(
+            "between them not known: one more point near X25.000 Y0.000 on L1",
+            VerdictWords.Worst(report.Verdict)!,
+            StringComparison.Ordinal);
 
         var json = JsonNode.Parse(MatchReportJson.Write(report))!;
         foreach (var between in new[] { json["verdict"]!["worstBetween"]!, json["features"]![0]!["worstBetween"]! })
@@ -51,8 +54,11 @@ public sealed class NotKnownBetweenTests
     }
 
     [Fact]
-    public void A_third_point_tells_it() =>
-        Assert.Equal((VerdictCode.Within, true), (Line(Three, Limits).Report() is var r ? (r.Verdict.Code, r.Features[0].WorstBetween!.IsKnown) : default));
+    public void A_third_point_tells_it()
+    {
+        var report = Line(Three, Limits).Report();
+        Assert.Equal((VerdictCode.Within, true), (report.Verdict.Code, report.Features[0].WorstBetween!.IsKnown));
+    }
 
     [Theory]
     [InlineData(4, "", VerdictCode.NotKnownBetween)]
@@ -97,7 +103,8 @@ public sealed class NotKnownBetweenTests
     };
 
     private static MatchCase Circle(int count, Func<int, double> form, string more) => new(
-        "%\nO1000\nN10 G21 G90 G17\nN20 G0 X80. Y30.\nN40 G1 X73. F300\nN50 G2 X27. I-23. J0.\nN60 X73. I23. J0.\nN70 G1 X80.\nN90 M30\n%\n")
+        "%\nO1000\nN10 G21 G90 G17\nN20 G0 X80. Y30.\nN40 G1 X73. F300\nN50 G2 X27. I-23. J0.\nN60 X73. I23. J0.\n"
+            + "N70 G1 X80.\nN90 M30\n%\n")
     {
         Theoretical = Around(count, _ => 0),
         Part = Around(count, form),

@@ -103,8 +103,9 @@ public sealed class GapAndBaseTests
     [InlineData(20.05, 20.08, """, "base": "correct", "gapMm": 0.01""", 0.01)]
     public void The_pair_has_the_gap_and_the_base(double theoretical, double part, string more, double air)
     {
-        var match = new MatchCase("%\nO1000\nN10 G21 G90 G17\nN20 G0 X80. Y30.\nN40 G1 X73. F300\nN50 G2 X27. I-23. J0.\nN60 X73. I23. J0.\n"
-            + "N70 G1 X80.\nN90 M30\n%\n")
+        var match = new MatchCase(
+            "%\nO1000\nN10 G21 G90 G17\nN20 G0 X80. Y30.\nN40 G1 X73. F300\nN50 G2 X27. I-23. J0.\nN60 X73. I23. J0.\n"
+                + "N70 G1 X80.\nN90 M30\n%\n")
         {
             Theoretical = Around(theoretical),
             Part = Around(part),

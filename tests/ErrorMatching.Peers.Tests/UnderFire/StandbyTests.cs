@@ -6,7 +6,8 @@ namespace ErrorMatching.Peers.Tests;
 
 /// <summary>Two processes of one cell, with a schema of its own on a PostgreSQL server: when the one that runs is killed or frozen, in the
 /// middle of whatever it does, the other goes on within ten seconds, and the machine gets every program once.</summary>
-/// <remarks>Every other round freezes a process, which goes on later. <c>ERRORMATCH_ROUNDS=20</c> does twenty rounds instead of two.</remarks>
+/// <remarks>Every other round freezes a process, which goes on later. <c>ERRORMATCH_ROUNDS=20</c> does twenty rounds instead of
+/// two.</remarks>
 [Collection(PostgresTests.Name)]
 public sealed class StandbyTests(PostgresServer server)
 {
