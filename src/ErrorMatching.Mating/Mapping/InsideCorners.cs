@@ -3,8 +3,8 @@ using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>Finds the inside corners of the boundary in which the tool leaves a round of its own radius: a part with a sharper corner does
-/// not go in there, whatever is corrected.</summary>
+/// <summary>Finds the inside corners of the boundary in which the tool leaves a round of its own radius, and no key point tells whether the
+/// part has one: a part with a sharper corner does not go in there, whatever is corrected.</summary>
 internal static class InsideCorners
 {
     // Degrees: two motions that turn by less are one boundary.
@@ -33,7 +33,7 @@ internal static class InsideCorners
                 next++;
             }
 
-            if (!cuts.TryGetValue(next, out var other))
+            if (!cuts.TryGetValue(next, out var other) || IsTold(pass, motion, atEnd: true) || IsTold(other.Pass, next, atEnd: false))
             {
                 continue;
             }
@@ -55,6 +55,10 @@ internal static class InsideCorners
             }
         }
     }
+
+    // A key point on the round says where the part's corner is.
+    private static bool IsTold(FeaturePass pass, int motion, bool atEnd) =>
+        pass.Feet.Any(f => f.OnCorner && f.Motion == motion && f.Fraction > 0.5 == atEnd);
 
     // Material that stands beyond the boundary is what the lower limit of the part's deviation speaks of.
     private static double LimitOf(JobFeature feature) => feature.Tolerance.Band.Opposite().UpperMm;

@@ -21,6 +21,16 @@ public sealed class InsideCornersTests
     public void An_outside_corner_is_cut_sharply() =>
         Assert.DoesNotContain(Report(Up, "1 10 6; 2 40 6; 3 44 10; 4 44 40").Warnings, w => w.Code == "inside-corner");
 
+    // On the round about (47, 3), in its middle: 47 + 3 cos 45.
+    [Fact]
+    public void A_key_point_on_the_round_tells_it()
+    {
+        var features = new[] { MatchCase.Feature("line", "L1", "N50", """["1", "2", "5"]""", Limits), Features(Limits)[1] };
+        var points = "1 10 0; 2 40 0; 5 49.121 0.879; 3 50 10; 4 50 40";
+        var report = new MatchCase(Up) { Theoretical = points, Part = points, Features = features }.Report();
+        Assert.DoesNotContain(report.Warnings, w => w.Code == "inside-corner");
+    }
+
     // The relief goes 4 mm further than the corner and comes back.
     [Fact]
     public void A_relieved_corner_is_no_corner()
