@@ -16,12 +16,12 @@ internal sealed class Seat : IAsyncDisposable
     /// <summary>Generous: a test waits for the event and not for the clock.</summary>
     public static readonly TimeSpan Patience = TimeSpan.FromSeconds(60);
 
-    // Hashing passwords is slow on purpose: once is enough for all tests of a process.
+    // Made once for all tests of a process.
     private static readonly Lazy<string> Template = new(() =>
     {
         var folder = new TemporaryFolder();
         AppDomain.CurrentDomain.ProcessExit += (_, _) => folder.Dispose();
-        DemoCell.Make(folder.Path, TimeProvider.System);
+        QuickPasswords.In(DemoCell.Make(folder.Path, TimeProvider.System).Settings);
         return folder.Path;
     });
 
@@ -38,6 +38,7 @@ internal sealed class Seat : IAsyncDisposable
             Preferences = new(Path.Combine(_folder.Path, "preferences")),
             SamplesFolder = hasSamples ? Cell.SamplesFolder : null
         };
+        QuickPasswords.In(Station.Users);
         Shell = Screens.ShellOf(Station);
         Window = new() { DataContext = Shell, Width = size.Width, Height = size.Height };
         Window.Show();
