@@ -14,7 +14,7 @@ internal sealed class Pictures(Seat seat)
 
     /// <summary>Looks at what is shown now.</summary>
     /// <param name="name">Name of the screen, with which its pictures begin.</param>
-    /// <param name="isPictured">False for what differs in content only: then two pictures are made instead of eight. All sizes and
+    /// <param name="isPictured">False for what differs in content only: then two pictures are made instead of four. All sizes and
     /// languages are measured all the same.</param>
     /// <param name="settled">What is waited for in each language: words that are made beside the screen.</param>
     public void Take(string name, bool isPictured = true, Func<bool>? settled = null)
@@ -32,7 +32,7 @@ internal sealed class Pictures(Seat seat)
                 _problems.AddRange(Layout.Problems(seat.Window).Select(p => $"{name} {size.Width}x{size.Height} {code}: {p}"));
                 foreach (var isDark in new[] { false, true })
                 {
-                    if (isPictured || (size.Width < 1500 && isDark == (language == Language.TraditionalChinese)))
+                    if (IsPictured(isPictured, size.Width > 1500, language == Language.TraditionalChinese, isDark))
                     {
                         seat.Shell.IsDark = isDark;
                         var picture = Repository.PathTo(
@@ -49,6 +49,10 @@ internal sealed class Pictures(Seat seat)
         (seat.Window.Width, seat.Window.Height) = (1280, 800);
         seat.User.Settle();
     }
+
+    // A theme changes no layout: each language in each, and what the manual shows, in the small window; the large one once.
+    private static bool IsPictured(bool isPictured, bool isLarge, bool isChinese, bool isDark) =>
+        isLarge ? isPictured && isDark && !isChinese : isDark == isChinese || (isPictured && !isDark);
 
     // The manual's pictures are the small window's, one for each language; they are renewed when somebody asks for it.
     private static void Keep(string name, string code, string picture)
