@@ -1,5 +1,6 @@
 using System.Text;
 using ErrorMatching.Refusals;
+using ErrorMatching.Testing;
 
 namespace ErrorMatching.Nc.Tests;
 
@@ -124,10 +125,16 @@ public sealed class DeclaredRoleTests
     [Fact]
     public void A_letter_has_no_role_that_is_another_letters()
     {
-        foreach (var like in Letters)
+        // Each dialect gets a third of the roles and each role a third of the dialects, but for the one that differs: it gets all.
+        foreach (var (dialect, like) in Letters.Index())
         {
-            foreach (var name in KebabNames.Of(typeof(LetterRole)).Keys)
+            foreach (var (role, name) in KebabNames.Of(typeof(LetterRole)).Keys.Index())
             {
+                if (like != "siemens-840d" && (dialect + role) % Depth.Of(3, 1) != 0)
+                {
+                    continue;
+                }
+
                 var refused = new StringBuilder();
                 for (var letter = 'A'; letter <= 'Z'; letter++)
                 {

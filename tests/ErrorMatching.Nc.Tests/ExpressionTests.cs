@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text;
+using ErrorMatching.Testing;
 using FsCheck;
 using FsCheck.Fluent;
 
@@ -344,7 +345,7 @@ public sealed class ExpressionTests
         var soup = Gen.Frequency(
             (4, Gen.Elements(pieces).ArrayOf().Select(p => Encoding.UTF8.GetBytes(string.Concat(p)))),
             (1, Gen.Choose(0, 255).Select(n => (byte)n).ArrayOf()));
-        Check.One(Config.QuickThrowOnFailure.WithMaxTest(20_000), Prop.ForAll(soup.ToArbitrary(), bytes =>
+        Check.One(Config.QuickThrowOnFailure.WithMaxTest(Depth.Of(4000, 20_000)), Prop.ForAll(soup.ToArbitrary(), bytes =>
         {
             foreach (var syntax in Enum.GetValues<NcSyntax>())
             {

@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using System.Text;
+using ErrorMatching.Testing;
 using FsCheck;
 using FsCheck.Fluent;
 
@@ -107,7 +108,7 @@ public sealed class FlowLimitTests
                 (8, Gen.Elements(families[f])),
                 (1, Gen.Choose(0, 255).Select(n => (byte)n).ArrayOf().Select(Encoding.Latin1.GetString))).ArrayOf()
             .Select(lines => (Syntax: (NcSyntax)f, Text: string.Join('\n', lines))));
-        Check.One(Config.QuickThrowOnFailure.WithMaxTest(20_000).WithEndSize(30), Prop.ForAll(statements.ToArbitrary(), p =>
+        Check.One(Config.QuickThrowOnFailure.WithMaxTest(Depth.Of(4000, 20_000)).WithEndSize(30), Prop.ForAll(statements.ToArbitrary(), p =>
         {
             FlowRun.Of(
                 p.Syntax,

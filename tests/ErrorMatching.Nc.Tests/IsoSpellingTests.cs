@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using System.Text;
+using ErrorMatching.Testing;
 using FsCheck;
 using FsCheck.Fluent;
 
@@ -49,7 +50,8 @@ public sealed class IsoSpellingTests
     {
         var some = Encoding.ASCII.GetBytes("GXYZNIJKRFOACE0123456789.-+ \t()[]%/#;,=\"<>:_$\0\u001a");
         var bytes = Gen.Frequency((4, Gen.Elements(some)), (1, Gen.Choose(0, 255).Select(n => (byte)n)));
-        Check.One(Config.QuickThrowOnFailure.WithMaxTest(3000).WithEndSize(80), Prop.ForAll(bytes.ArrayOf().ToArbitrary(), b =>
+        var tries = Config.QuickThrowOnFailure.WithMaxTest(Depth.Of(1000, 3000)).WithEndSize(80);
+        Check.One(tries, Prop.ForAll(bytes.ArrayOf().ToArbitrary(), b =>
         {
             foreach (var syntax in Enum.GetValues<NcSyntax>())
             {

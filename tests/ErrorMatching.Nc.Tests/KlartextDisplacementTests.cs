@@ -155,7 +155,8 @@ public sealed class KlartextDisplacementTests
             .Replace("{0}", p.Item2.Item1.ToString(System.Globalization.CultureInfo.InvariantCulture), StringComparison.Ordinal)
             .Replace("{1}", p.Item2.Item2.ToString(System.Globalization.CultureInfo.InvariantCulture), StringComparison.Ordinal)
             .Replace("+-", "-", StringComparison.Ordinal));
-        Check.One(Config.QuickThrowOnFailure.WithMaxTest(5000).WithEndSize(30), Prop.ForAll(line.ArrayOf().ToArbitrary(), p =>
+        var tries = Config.QuickThrowOnFailure.WithMaxTest(Depth.Of(1000, 5000)).WithEndSize(30);
+        Check.One(tries, Prop.ForAll(line.ArrayOf().ToArbitrary(), p =>
         {
             var path = Bench.Read(Head + string.Join('\n', p) + "\n", NcDialects.HeidenhainKlartext);
             var blocks = Enumerable.Range(3, path.Program.BlockCount - 3).Where(b => b % 3 > 0).ToArray();

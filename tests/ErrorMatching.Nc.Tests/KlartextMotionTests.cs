@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Testing;
 using FsCheck;
 using FsCheck.Fluent;
 
@@ -123,7 +124,7 @@ public sealed class KlartextMotionTests
             "\nCYCL DEF 10.1 ROT+5\n", "\nPLANE RESET STAY\n", "\nCYCL CALL\n", "\n", "\n", "\n", "/", "~", ";", "\"", "?", ",", "\0",
         ];
         var programs = Gen.Elements(words).ArrayOf().ToArbitrary();
-        Check.One(Config.QuickThrowOnFailure.WithMaxTest(5000).WithEndSize(40), Prop.ForAll(programs, p =>
+        Check.One(Config.QuickThrowOnFailure.WithMaxTest(Depth.Of(1000, 5000)).WithEndSize(40), Prop.ForAll(programs, p =>
         {
             var path = Read(string.Join(' ', p));
             Assert.All(path.Motions, m => Assert.True(double.IsFinite(m.End.X + m.End.Y + m.End.Z + m.Center.X + m.Center.Y)));

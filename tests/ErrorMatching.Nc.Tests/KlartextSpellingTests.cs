@@ -1,4 +1,5 @@
 using System.Text;
+using ErrorMatching.Testing;
 using FsCheck;
 using FsCheck.Fluent;
 
@@ -7,6 +8,7 @@ namespace ErrorMatching.Nc.Tests;
 /// <summary>Klartext spelling: what each stretch of a block is, read off by hand.</summary>
 public sealed class KlartextSpellingTests
 {
+    private static readonly Config Tries = Config.QuickThrowOnFailure.WithMaxTest(Depth.Of(1000, 5000));
     private static readonly string[] Pieces =
     [
         "12 ", "0  ", "N5 ", "L ", "C ", "CC ", "CR ", "CT ", "CP ", "LP ", "RND R2", "CHF 1.5", "APPR LCT ", "DEP LT ", "X+10 ",
@@ -88,7 +90,7 @@ public sealed class KlartextSpellingTests
 
     [Fact]
     public void Tokens_follow_one_another_without_gaps() =>
-        Check.One(Config.QuickThrowOnFailure.WithMaxTest(5000), Prop.ForAll(Gen.Elements(Pieces).ArrayOf().ToArbitrary(), pieces =>
+        Check.One(Tries, Prop.ForAll(Gen.Elements(Pieces).ArrayOf().ToArbitrary(), pieces =>
         {
             var program = NcProgram.FromText(string.Concat(pieces).Replace('\n', ' '), NcSyntax.Klartext);
             var at = 0;

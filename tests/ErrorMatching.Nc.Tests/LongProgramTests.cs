@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text;
 using ErrorMatching.Geometry;
+using ErrorMatching.Testing;
 using FsCheck;
 using FsCheck.Fluent;
 
@@ -30,7 +31,7 @@ public sealed class LongProgramTests
 
     [Fact]
     public void Sorted_contours_close_where_a_walk_finds_that_they_do() =>
-        Check.One(Config.QuickThrowOnFailure.WithMaxTest(2000).WithEndSize(60), Prop.ForAll(Paths.ToArbitrary(), text =>
+        Check.One(Config.QuickThrowOnFailure.WithMaxTest(Depth.Of(500, 2000)).WithEndSize(60), Prop.ForAll(Paths.ToArbitrary(), text =>
         {
             var motions = Bench.Read(text).Motions;
             var (walking, sorted) = (new ContourSearch(motions, 1e-6, 1), new ContourSearch(motions, 1e-6, 1000));
@@ -79,7 +80,7 @@ public sealed class LongProgramTests
     [Fact]
     public void Runs_of_motions_answer_as_a_list_of_them_does() =>
         Check.One(
-            Config.QuickThrowOnFailure.WithMaxTest(2000),
+            Config.QuickThrowOnFailure.WithMaxTest(Depth.Of(500, 2000)),
             Prop.ForAll(Gen.Choose(0, 60).ListOf().Zip(Gen.Choose(-2, 62).ListOf()).ToArbitrary(), p =>
         {
             List<int> named = [.. p.Item1.Distinct().Order()];

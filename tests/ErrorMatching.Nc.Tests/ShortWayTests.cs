@@ -1,3 +1,4 @@
+using ErrorMatching.Testing;
 using FsCheck;
 using FsCheck.Fluent;
 
@@ -40,7 +41,7 @@ public sealed class ShortWayTests
     [Fact]
     public void Plain_blocks_come_to_the_same_by_their_words_and_by_their_tokens() =>
         Check.One(
-            Config.QuickThrowOnFailure.WithMaxTest(20000).WithEndSize(40),
+            Config.QuickThrowOnFailure.WithMaxTest(Depth.Of(4000, 20_000)).WithEndSize(40),
             Prop.ForAll(Programs.Zip(Gen.Choose(0, NcDialects.Names.Count - 1)).ToArbitrary(), p =>
         {
             var dialect = NcDialects.All[p.Item2];
@@ -57,7 +58,7 @@ public sealed class ShortWayTests
     [Fact]
     public void A_census_counts_plain_blocks_as_it_counts_their_tokens() =>
         Check.One(
-            Config.QuickThrowOnFailure.WithMaxTest(5000).WithEndSize(40),
+            Config.QuickThrowOnFailure.WithMaxTest(Depth.Of(1000, 5000)).WithEndSize(40),
             Prop.ForAll(Programs.Zip(Gen.Choose(0, NcDialects.Names.Count - 1)).ToArbitrary(), p =>
         {
             var program = NcProgram.FromText(string.Join('\n', p.Item1), NcDialects.All[p.Item2].Syntax);

@@ -1,4 +1,5 @@
 using ErrorMatching.Refusals;
+using ErrorMatching.Testing;
 using FsCheck;
 using FsCheck.Fluent;
 
@@ -43,7 +44,7 @@ public sealed class SoupTests
     [Fact]
     public void Nothing_throws_and_what_is_rewritten_reads_as_the_same_blocks() =>
         Check.One(
-            Config.QuickThrowOnFailure.WithMaxTest(20000).WithEndSize(40),
+            Config.QuickThrowOnFailure.WithMaxTest(Depth.Of(4000, 20_000)).WithEndSize(40),
             Prop.ForAll(Program.Zip(Gen.Choose(0, NcDialects.Names.Count - 1).Zip(Gen.Choose(-30, 30))).ToArbitrary(), p =>
         {
             var path = Bench.Read(p.Item1, NcDialects.All[p.Item2.Item1]);
@@ -65,7 +66,7 @@ public sealed class SoupTests
     [Fact]
     public void Any_bytes_are_interpreted_in_every_dialect() =>
         Check.One(
-            Config.QuickThrowOnFailure.WithMaxTest(5000),
+            Config.QuickThrowOnFailure.WithMaxTest(Depth.Of(1000, 5000)),
             Prop.ForAll(Gen.Choose(0, 255).Select(n => (byte)n).ArrayOf().ToArbitrary(), bytes =>
         {
             foreach (var dialect in NcDialects.All)
