@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text;
 using ErrorMatching.Mating;
+using ErrorMatching.Testing;
 
 namespace ErrorMatching.EndToEnd.Tests;
 
@@ -13,7 +14,7 @@ public sealed class ClosedContourLoopTests
     /// <summary>Center and radius are each rounded by up to 0.7 um, and the frame's own coordinates a little.</summary>
     private const double Rounding = 0.0018;
 
-    private const int Parts = 300;
+    private static readonly int Parts = Depth.Of(120, 300);
 
     /// <summary>
     /// A tangent way in to the place where flank and end touch, which hardly moves across but along its own direction: the proof takes

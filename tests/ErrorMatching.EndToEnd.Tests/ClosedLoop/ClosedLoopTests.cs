@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text;
 using ErrorMatching.Mating;
 using ErrorMatching.Nc;
+using ErrorMatching.Testing;
 
 namespace ErrorMatching.EndToEnd.Tests;
 
@@ -13,7 +14,7 @@ public sealed class ClosedLoopTests
 {
     private const double Rounding = 0.0015;
 
-    private const int Parts = 400;
+    private static readonly int Parts = Depth.Of(120, 400);
 
     /// <summary>
     /// Parts that may be refused, with the code. Of most, two features run into each other tangentially and deviate by different

@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text;
 using ErrorMatching.Mating;
 using ErrorMatching.Nc;
+using ErrorMatching.Testing;
 
 namespace ErrorMatching.EndToEnd.Tests;
 
@@ -12,7 +13,7 @@ namespace ErrorMatching.EndToEnd.Tests;
 public sealed class KlartextLoopTests
 {
     private const double Rounding = 0.0015;
-    private const int Parts = 200;
+    private static readonly int Parts = Depth.Of(80, 200);
 
     /// <summary>Parts that may be refused: an arc to an angle follows a neighbor at its start, and its end cannot stay exactly.</summary>
     private const int AnglesAllowed = 3;

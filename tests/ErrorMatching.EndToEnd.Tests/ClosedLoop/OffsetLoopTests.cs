@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text;
 using ErrorMatching.Mating;
+using ErrorMatching.Testing;
 
 namespace ErrorMatching.EndToEnd.Tests;
 
@@ -10,7 +11,7 @@ namespace ErrorMatching.EndToEnd.Tests;
 /// </summary>
 public sealed class OffsetLoopTests
 {
-    private const int Parts = 200;
+    private static readonly int Parts = Depth.Of(60, 200);
 
     // The micrometer that an offset may be off, the increment of an offset (0.05 um in each axis), and the words of the program.
     private const double Within = 0.001 + 0.0001 + 0.0015;
@@ -45,7 +46,7 @@ public sealed class OffsetLoopTests
         Assert.True(failures.Count == 0, $"{failures.Count}:\n{string.Join('\n', failures.Take(20))}");
         foreach (var expected in new[] { ("growth", "ToolWear"), ("shift", "WorkOffset"), ("turn", "WorkOffset"), ("shape", "Blocks") })
         {
-            Assert.True(kinds.GetValueOrDefault(expected) >= 10, $"{expected}: {kinds.GetValueOrDefault(expected)}");
+            Assert.True(kinds.GetValueOrDefault(expected) >= Parts / 20, $"{expected}: {kinds.GetValueOrDefault(expected)}");
         }
     }
 

@@ -8,7 +8,7 @@ namespace ErrorMatching.EndToEnd.Tests;
 /// own noise.</summary>
 public sealed class SurfaceLoopTests
 {
-    private const int Seeds = 20;
+    private static readonly int Seeds = Depth.Of(6, 20);
 
     [Theory]
     [InlineData("surface-one", 70, 61, 78)]

@@ -6,11 +6,11 @@ namespace ErrorMatching.EndToEnd.Tests;
 
 /// <summary>Good files among duplicates, strangers, truncated and hostile ones:
 /// every one is accounted for, and only good ones reach the machine.</summary>
-/// <remarks>400 files here, 10,000 by <c>tests/fire flood 10000</c>.</remarks>
+/// <remarks>150 files here, 10,000 by <c>tests/fire flood 10000</c>.</remarks>
 public sealed class FloodTests
 {
     private static readonly int Files = int.Parse(
-        Environment.GetEnvironmentVariable("ERRORMATCH_FLOOD") ?? "400", CultureInfo.InvariantCulture);
+        Environment.GetEnvironmentVariable("ERRORMATCH_FLOOD") ?? "150", CultureInfo.InvariantCulture);
 
     // Names that a shell, a path, a spreadsheet or a terminal would take for something else.
     private static readonly string[] HostileNames =
