@@ -11,8 +11,14 @@ namespace ErrorMatching.Cell;
 /// missing member fails the first connection of any test.</remarks>
 internal sealed class SshChannel
 {
+    // A send that was let go takes microseconds of a processor, and on a busy computer waits for one.
+    private static readonly TimeSpan SendEnds = TimeSpan.FromSeconds(1);
+    private static readonly TimeSpan LookAgain = TimeSpan.FromMilliseconds(50);
+
     private readonly SshSession _session;
     private readonly object _channel;
+    private readonly ManualResetEventSlim _hasKeys;
+    private readonly Lock _sending = new();
     private Socket? _socket;
 
     /// <summary>Opens the subsystem. Blocks until the server has answered.</summary>
@@ -24,6 +30,7 @@ internal sealed class SshChannel
     {
         _session = SessionOf(client) as SshSession ?? throw new SshChannelException("the connection is closed");
         _socket = SocketOf(_session);
+        _hasKeys = HasKeysOf(_session);
 
         // A machine that is switched off closes nothing: without this, a connection that waits would never notice.
         _socket?.SetSocketOption(SocketOptionLevel.Socket, SocketOptionName.KeepAlive, optionValue: true);
@@ -37,6 +44,9 @@ internal sealed class SshChannel
         _session.ChannelCloseReceived += (_, _) => ended("the server closed the session");
         _session.Disconnected += (_, _) => ended("the connection broke");
         _session.ErrorOccured += (_, e) => ended(e.Exception.Message);
+
+        // This is also called when keys are changed, before the new ones are used.
+        client.HostKeyReceived += (_, _) => LetSendEnd();
         _channel = ChannelOf(_session);
         Open(_channel);
         if (!StartSubsystem(_channel, "sftp"))
@@ -47,10 +57,37 @@ internal sealed class SshChannel
     public bool IsUp => _session.IsConnected;
 
     /// <summary>Sends bytes. Blocks while the server takes none, until <see cref="Cut"/>.</summary>
-    public void Send(byte[] bytes, int count) => Send(_channel, bytes, 0, count);
+    /// <remarks>Before it sends, the library looks whether keys are being changed, but not again once it is its turn. If the server changes
+    /// keys in between, it sends with the cipher of the old ones, which is disposed of (SSH.NET, issue 1764). So nothing is sent here while
+    /// keys are being changed, and no change of keys goes on while something is being sent.</remarks>
+    public void Send(byte[] bytes, int count)
+    {
+        while (true)
+        {
+            while (!_hasKeys.Wait(LookAgain) && IsUp)
+            {
+                // They are being changed.
+            }
+
+            lock (_sending)
+            {
+                if (!_hasKeys.IsSet && IsUp)
+                    continue;
+                Send(_channel, bytes, 0, count);
+                return;
+            }
+        }
+    }
 
     /// <summary>Closes the socket without a word. A send that blocks ends with an error.</summary>
     public void Cut() => Interlocked.Exchange(ref _socket, null)?.Dispose();
+
+    // Not for ever: one that the library itself holds until the keys are changed, or until the server takes more, does not end before.
+    private void LetSendEnd()
+    {
+        if (_sending.TryEnter(SendEnds))
+            _sending.Exit();
+    }
 
     [UnsafeAccessor(UnsafeAccessorKind.Method, Name = "get_Session")]
     [return: UnsafeAccessorType("Renci.SshNet.ISession, Renci.SshNet")]
@@ -58,6 +95,9 @@ internal sealed class SshChannel
 
     [UnsafeAccessor(UnsafeAccessorKind.Field, Name = "_socket")]
     private static extern ref Socket? SocketOf(SshSession session);
+
+    [UnsafeAccessor(UnsafeAccessorKind.Field, Name = "_keyExchangeCompletedWaitHandle")]
+    private static extern ref ManualResetEventSlim HasKeysOf(SshSession session);
 
     [UnsafeAccessor(UnsafeAccessorKind.Method, Name = "Renci.SshNet.ISession.CreateChannelSession")]
     [return: UnsafeAccessorType("Renci.SshNet.Channels.IChannelSession, Renci.SshNet")]
