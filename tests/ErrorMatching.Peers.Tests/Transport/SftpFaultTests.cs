@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using ErrorMatching.Cell;
+using ErrorMatching.Testing;
 
 namespace ErrorMatching.Peers.Tests;
 
@@ -23,12 +24,12 @@ public sealed class SftpFaultTests : IDisposable
     public async Task A_connection_cut_after_any_byte_leaves_one_program_whole()
     {
         SshPeer.IsNeeded();
-        var (up, down) = await LengthsAsync();
+        var (up, down) = await LengthsAsync(withGoodbye: true);
 
         // Both ways: sparsely while keys are exchanged, densely behind the login.
-        var faults = Places(up, 140).Select(n => new CutFault(CutKind.Cut, 0, true, n))
-            .Concat(Places(down, 100).Select(n => new CutFault(CutKind.Cut, 0, false, n))).ToArray();
-        Assert.True(faults.Length >= 200);
+        var faults = Places(up, Depth.Of(42, 140)).Select(n => new CutFault(CutKind.Cut, 0, true, n))
+            .Concat(Places(down, Depth.Of(30, 100)).Select(n => new CutFault(CutKind.Cut, 0, false, n))).ToArray();
+        Assert.True(faults.Length >= Depth.Of(60, 200));
         var ends = new bool[faults.Length];
         await EachAsync(
             [.. faults.Select((f, n) => (f, n))],
@@ -42,9 +43,11 @@ public sealed class SftpFaultTests : IDisposable
     public async Task A_byte_changed_on_the_way_breaks_the_connection_and_no_program()
     {
         SshPeer.IsNeeded();
-        var (up, down) = await LengthsAsync();
-        var faults = new[] { up / 2, up - 2500, up - 600, up - 200 }.Select(n => new CutFault(CutKind.Corrupt, 0, true, n))
-            .Concat(new[] { down / 2, down - 2500, down - 600, down - 200 }.Select(n => new CutFault(CutKind.Corrupt, 0, false, n)));
+        // The last places are in the last request and in its answer, each longer than twice as much. A change in the goodbye behind them
+        // would go unseen, and rightly so: everything was answered.
+        var (up, down) = await LengthsAsync(withGoodbye: false);
+        var faults = new[] { up / 2, up - 2500, up - 400, up - 24 }.Select(n => new CutFault(CutKind.Corrupt, 0, true, n))
+            .Concat(new[] { down / 2, down - 2500, down - 400, down - 24 }.Select(n => new CutFault(CutKind.Corrupt, 0, false, n)));
         await EachAsync([.. faults], async (proxy, program, fault) =>
         {
             // Whoever receives a changed packet hangs up, which to us is a machine that went away. Where the change made a packet longer,
@@ -58,12 +61,12 @@ public sealed class SftpFaultTests : IDisposable
     public async Task A_connection_that_stalls_is_given_up_in_time()
     {
         SshPeer.IsNeeded();
-        var (up, down) = await LengthsAsync();
+        var (up, down) = await LengthsAsync(withGoodbye: false);
         await EachAsync(
             [
                 new CutFault(CutKind.Stall, 0, true, 0),
-                new CutFault(CutKind.Stall, 0, true, up - 300),
-                new CutFault(CutKind.Stall, 0, false, down - 300)],
+                new CutFault(CutKind.Stall, 0, true, up - 150),
+                new CutFault(CutKind.Stall, 0, false, down - 150)],
             async (proxy, program, fault) =>
         {
             var (failure, _) = await UntilItHappensAsync(proxy, program, fault, seconds: 2, TransportError.Slow);
@@ -80,15 +83,20 @@ public sealed class SftpFaultTests : IDisposable
             .Distinct();
     }
 
-    // How much goes through in a transfer that nothing breaks.
-    private async Task<(long Up, long Down)> LengthsAsync()
+    // How much goes through in a transfer that nothing breaks, of a program whose name is as long as those of the others.
+    private async Task<(long Up, long Down)> LengthsAsync(bool withGoodbye)
     {
         using var proxy = new CutProxy(_peer.Value.Port);
-        var program = new SentProgram(_peer.Value.Folder, "LENGTHS.MPF");
+        var program = new SentProgram(_peer.Value.Folder, "P9.MPF");
         program.Reset();
         proxy.Arm(null);
         using (var machine = Open(proxy, FtpPeer.Patience))
+        {
             Assert.Null(await program.SendAsync(machine));
+            if (!withGoodbye)
+                return proxy.Passed;
+        }
+
         await proxy.QuietAsync();
         Assert.True(program.IsWhole("nothing"));
         return proxy.Passed;
