@@ -3,6 +3,7 @@ using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
 using ErrorMatching.Nc.Tests;
 using ErrorMatching.Refusals;
+using ErrorMatching.Testing;
 
 namespace ErrorMatching.Peers.Tests;
 
@@ -10,7 +11,7 @@ namespace ErrorMatching.Peers.Tests;
 /// goes along with its start, its end and its center, in all three coordinates, and is still an arc of its radius in its plane.</summary>
 public sealed class DisplacedLeadTests
 {
-    private const int Seeds = 8;
+    private static readonly int Seeds = Depth.Of(4, 8);
 
     // The words' rounding, and the digits that the peer prints of both programs.
     private const double Tolerance = 0.0007;

@@ -4,6 +4,7 @@ using System.Text.RegularExpressions;
 using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
+using ErrorMatching.Testing;
 
 namespace ErrorMatching.Peers.Tests;
 
@@ -13,7 +14,7 @@ namespace ErrorMatching.Peers.Tests;
 /// </summary>
 public sealed partial class DisplacedProgramTests
 {
-    private const int Seeds = 15;
+    private static readonly int Seeds = Depth.Of(5, 15);
 
     [Theory]
     [InlineData(false, false, false, false, false)]

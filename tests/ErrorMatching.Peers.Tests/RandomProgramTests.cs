@@ -5,12 +5,12 @@ using ErrorMatching.Nc;
 namespace ErrorMatching.Peers.Tests;
 
 /// <summary>
-/// Random programs, motion by motion against LinuxCNC's own interpreter. <c>ERRORMATCH_PEER_PROGRAMS</c> sets how many of each topic (12 if
+/// Random programs, motion by motion against LinuxCNC's own interpreter. <c>ERRORMATCH_PEER_PROGRAMS</c> sets how many of each topic (5 if
 /// not set), <c>ERRORMATCH_PEER_SEED</c> the first seed.
 /// </summary>
 public sealed class RandomProgramTests
 {
-    private static readonly int Programs = Setting("ERRORMATCH_PEER_PROGRAMS", 12);
+    private static readonly int Programs = Setting("ERRORMATCH_PEER_PROGRAMS", 5);
     private static readonly int FirstSeed = Setting("ERRORMATCH_PEER_SEED", 1);
 
     [Theory]

@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using ErrorMatching.Cell;
+using ErrorMatching.Testing;
 
 namespace ErrorMatching.Peers.Tests;
 
@@ -8,6 +9,10 @@ namespace ErrorMatching.Peers.Tests;
 public sealed class FtpFaultTests : IDisposable
 {
     private const int Workers = 6;
+
+    // Bytes are alike but for the first and last ones, and those about half a program.
+    private static readonly IEnumerable<int> Places = Enumerable.Range(0, SentProgram.Bytes + 1)
+        .Where(n => n % Depth.Of(32, 1) == 0 || n < 8 || n > SentProgram.Bytes - 8 || Math.Abs(n - (SentProgram.Bytes / 2)) < 4);
 
     private readonly Lazy<FtpPeer> _peer = new(() => new FtpPeer(FtpTls.None));
 
@@ -23,7 +28,7 @@ public sealed class FtpFaultTests : IDisposable
     public async Task A_connection_cut_after_any_byte_of_a_program_leaves_the_old_one_whole()
     {
         FtpPeer.IsNeeded();
-        await EachAsync(Enumerable.Range(0, SentProgram.Bytes + 1), async (proxy, program, n) =>
+        await EachAsync(Places, async (proxy, program, n) =>
         {
             // Every fourth is recovered from, and sent again where that begins with no byte, one, or all of them, and at some in between.
             var fault = new FtpFault { CutWriting = n };

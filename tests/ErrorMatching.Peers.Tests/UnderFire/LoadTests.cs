@@ -19,7 +19,7 @@ public sealed class LoadTests
 
     private static readonly bool IsJudged = Environment.GetEnvironmentVariable("ERRORMATCH_LOAD") is not null;
     private static readonly int Seconds = int.Parse(
-        Environment.GetEnvironmentVariable("ERRORMATCH_LOAD") ?? "5", CultureInfo.InvariantCulture);
+        Environment.GetEnvironmentVariable("ERRORMATCH_LOAD") ?? "2", CultureInfo.InvariantCulture);
 
     [Fact]
     public async Task Ten_pieces_a_second_reach_an_FTP_server()

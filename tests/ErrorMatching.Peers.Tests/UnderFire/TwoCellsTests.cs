@@ -24,7 +24,7 @@ public sealed class TwoCellsTests(PostgresServer server)
         var files = new FireFiles();
         await using var machine = new FireMachine(first, () => files.FileByProgram);
         using var writers = new SlotWriters(first.Machine);
-        var pieces = Enumerable.Range(0, 60).Select(i => files.Next(first.Slots[i % 3], i)).ToArray();
+        var pieces = Enumerable.Range(0, 24).Select(i => files.Next(first.Slots[i % 3], i)).ToArray();
         first.Start();
         second.Start();
         for (var i = 0; i < pieces.Length; i++)
