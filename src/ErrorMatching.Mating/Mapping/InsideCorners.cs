@@ -14,7 +14,7 @@ internal static class InsideCorners
     /// <param name="job">The job.</param>
     /// <param name="path">The counterpart's program, interpreted.</param>
     /// <param name="maps">The features mapped onto it.</param>
-    public static IEnumerable<InsideCorner> Of(MatingJob job, NcPath path, IReadOnlyList<FeatureMap> maps)
+    public static IEnumerable<UncutCorner> Of(MatingJob job, NcPath path, IReadOnlyList<FeatureMap> maps)
     {
         var cuts = new Dictionary<int, (FeatureMap Map, FeaturePass Pass)>();
         foreach (var map in maps)
@@ -70,4 +70,4 @@ internal static class InsideCorners
 /// <param name="RadiusMm">Radius of the round.</param>
 /// <param name="OverlapMm">By how much a part with a sharp corner would overlap there.</param>
 /// <param name="MostDiameterMm">Diameter of the largest tool that the limits allow there.</param>
-internal sealed record InsideCorner(int Before, int After, double RadiusMm, double OverlapMm, double MostDiameterMm);
+internal sealed record UncutCorner(int Before, int After, double RadiusMm, double OverlapMm, double MostDiameterMm);
