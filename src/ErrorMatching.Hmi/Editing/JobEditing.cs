@@ -317,12 +317,20 @@ public sealed class JobEditing : Observable, IDisposable
     internal async Task<bool> TryAsync(Action work)
     {
         Message = null;
-        if (await Failures.OfAsync(work, _station.Clock) is not { } failure)
+        try
         {
-            return true;
+            if (await Failures.OfAsync(work, _station.Clock) is not { } failure)
+            {
+                return true;
+            }
+
+            Message = failure;
+        }
+        catch (ObjectDisposedException) when (_station.IsClosed)
+        {
+            // The station was closed while the store was being read; nobody sees the result.
         }
 
-        Message = failure;
         return false;
     }
 

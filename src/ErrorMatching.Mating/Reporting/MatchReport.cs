@@ -115,10 +115,16 @@ public sealed record MatchReport
             {
                 Boundaries = [
                     .. Features.Select(f => new VerifiedBoundary(
-                        f.Name, f.Tolerance.Band, [.. PointsOf(f).Select(p => (p.Point, p.Theoretical))], f.TheoreticalOutline))],
+                        f.Name, f.Tolerance.Band, [.. PointsOf(f).Select(p => (p.Point, CutPlace(f, p)))], f.TheoreticalOutline))],
             };
         }
     }
+
+    // Where the original program cuts the boundary at a key point, to which its outline belongs: beside the theoretical point by what it
+    // does differently.
+    private static Point2 CutPlace(ReportFeature feature, ReportKeyPoint point) => feature.BaseMm is null
+        ? point.Theoretical
+        : point.Theoretical + ((point.UncompensatedMm + point.NormalMm - feature.GapMm) * point.Normal);
 
     /// <summary>The key points of a feature, in the order of cutting.</summary>
     public IEnumerable<ReportKeyPoint> PointsOf(ReportFeature feature) => KeyPoints.Where(p => p.Feature == feature.Name);

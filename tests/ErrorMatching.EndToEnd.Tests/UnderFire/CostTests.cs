@@ -52,7 +52,7 @@ public sealed class CostTests
             var anyway = idle * Stopwatch.GetElapsedTime(told[from].At, told[to].At) / (to - from);
             TestContext.Current.TestOutputHelper!.WriteLine(string.Create(
                 CultureInfo.InvariantCulture,
-                $"pieces {from + 1} to {to}: {used.TotalMilliseconds:0} ms each; idle it uses {anyway.TotalMilliseconds:0} ms in that time"));
+                $"pieces {from + 1} to {to}: {used.TotalMilliseconds:0} ms each; idle: {anyway.TotalMilliseconds:0} ms in that time"));
         }
 
         TestContext.Current.TestOutputHelper!.WriteLine(string.Create(CultureInfo.InvariantCulture, $"idle: {idle:P1} of a core"));

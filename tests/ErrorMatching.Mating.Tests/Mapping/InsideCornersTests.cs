@@ -5,8 +5,8 @@ public sealed class InsideCornersTests
 {
     private const string Limits = """ "toleranceMm": [-0.05, 0.05] """;
 
-    // The tool comes along y = 3 and turns up at x = 47: with the material below and to the right, that is an inside corner of (50, 0); with
-    // the material above and to the left, the outside one of (44, 6).
+    // The tool comes along y = 3 and turns up at x = 47: with the material below and to the right, that is an inside corner of (50, 0);
+    // with the material above and to the left, the outside one of (44, 6).
     private const string Up = "%\nO1000\nN10 G21 G90 G17\nN20 G0 X0. Y3.\nN50 G1 X47. F300\nN60 Y50.\nN70 G0 Z50.\nN80 M30\n%\n";
 
     // The round of 3 mm in a right angle: 3 (root 2 - 1) = 1.243 mm from its point; 0.05 mm are left by a diameter of 0.241.
