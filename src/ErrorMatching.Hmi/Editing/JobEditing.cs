@@ -317,20 +317,12 @@ public sealed class JobEditing : Observable, IDisposable
     internal async Task<bool> TryAsync(Action work)
     {
         Message = null;
-        try
+        if (await Failures.OfAsync(work, _station.Clock) is not { } failure)
         {
-            if (await Failures.OfAsync(work, _station.Clock) is not { } failure)
-            {
-                return true;
-            }
-
-            Message = failure;
-        }
-        catch (ObjectDisposedException) when (_station.IsClosed)
-        {
-            // The station was closed while the store was being read; nobody sees the result.
+            return true;
         }
 
+        Message = failure;
         return false;
     }
 

@@ -5,7 +5,6 @@ public abstract class ScreenViewModel : Observable, IDisposable
 {
     private string? _message;
     private Func<string>? _words;
-    private bool _isLeft;
 
     /// <summary>Follows changes in the cell and of the language.</summary>
     protected ScreenViewModel(Station station)
@@ -46,7 +45,6 @@ public abstract class ScreenViewModel : Observable, IDisposable
     /// <summary>Stops following the station.</summary>
     protected virtual void Dispose(bool isDisposing)
     {
-        _isLeft = true;
         Station.Changed -= Follow;
         Texts.Current.LanguageChanged -= Translate;
     }
@@ -62,20 +60,12 @@ public abstract class ScreenViewModel : Observable, IDisposable
     protected internal async Task<bool> TryAsync(Action work)
     {
         Message = null;
-        try
+        if (await Failures.OfAsync(work, Station.Clock) is not { } failure)
         {
-            if (await Failures.OfAsync(work, Station.Clock) is not { } failure)
-            {
-                return true;
-            }
-
-            Message = failure;
-        }
-        catch (ObjectDisposedException) when (_isLeft)
-        {
-            // The station was closed while a screen that is already gone was still reading; the result is not needed.
+            return true;
         }
 
+        Message = failure;
         return false;
     }
 }

@@ -34,6 +34,11 @@ public static class Failures
         {
             return Of(e, clock);
         }
+        catch (ObjectDisposedException e) when (e.ObjectName.StartsWith("ErrorMatching.Cell.", StringComparison.Ordinal))
+        {
+            // The station was closed meanwhile, and its store with it. What waits for the result ends as after any failure; nobody sees it.
+            return Texts.Current.Word(StoreError.Away);
+        }
     }
 
     /// <summary>The text for a failure.</summary>

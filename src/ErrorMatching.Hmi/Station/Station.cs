@@ -86,9 +86,6 @@ public sealed class Station : IDisposable
         Changed?.Invoke();
     }
 
-    /// <summary>True since the station was closed: its store cannot be read any more.</summary>
-    internal bool IsClosed => _end.IsCancellationRequested;
-
     /// <summary>Stops watching, signs out and closes the store.</summary>
     public void Dispose()
     {
