@@ -92,7 +92,9 @@ public sealed class RehearsalTests
         history.Search.Execute(null);
         seat.WaitFor(() => history.Search.Running.IsCompleted, "The second search does not end.");
         Assert.True(history.Search.Running.IsCompletedSuccessfully);
-        Assert.Null(history.Message);
+
+        // Nobody sees it.
+        Assert.Equal(Texts.Current.Word(StoreError.Away), history.Message);
     });
 
     // Nobody has signed in yet: what is not to be seen is not to be heard either.
