@@ -44,8 +44,8 @@ public sealed partial class CompensationWordsTests
         {
             Assert.Equal(16, drawing.Points.Count);
 
-            // The part stands upright and is drawn lying, turned clockwise: its x is seen downward, its y to the right. Deviations are drawn
-            // from where the program cuts, which is less than a micrometer beside the designed points here.
+            // The part stands upright and is drawn lying, turned clockwise: its x is seen downward, its y to the right.
+            // Deviations are drawn from where the program cuts, which is less than a micrometer beside the designed points here.
             Assert.All(
                 drawing.Points,
                 p => Assert.Equal(
