@@ -21,7 +21,7 @@ internal static class QuickPasswords
         return users;
     }
 
-    /// <summary>Makes a demonstration's store anew, with the same users, whose passwords are compared with little work.</summary>
+    /// <summary>Replaces a demonstration's store by one with the same users, whose passwords are compared with little work.</summary>
     public static void In(CellSettings settings)
     {
         var file = ((SqliteSettings)settings.Store).File;
