@@ -103,7 +103,7 @@ internal sealed class ProposeWorker(CellFlow flow)
             return true;
         }
 
-        var verdict = ReportReader.Document(flow.Store.Content(report)).OptionalObject("verdict");
+        var verdict = ReportReader.ObjectOf(flow.Store.Content(report), "verdict");
 
         // Whether the origin is right, no program can tell.
         return (verdict?.OptionalFlag("cut") ?? verdict?.OptionalFlag("inTolerance")) != false
