@@ -8,8 +8,8 @@ namespace ErrorMatching.Mating;
 /// <param name="Radius">The correction of the tool's radius: 0 where the job allows one and none is needed; null if it is not
 /// touched.</param>
 /// <param name="Work">The correction of the work offset, in the same way.</param>
-/// <param name="DifferenceMm">How far the boundary by the offset is from the one by blocks at most, mm; 0 for blocks.</param>
-/// <param name="IsWithinNoise">True if this is more than the job allows, and not more than the gauge's noise.</param>
+/// <param name="DifferenceMm">How far the boundary by the offset is from the one by blocks, or from where it should be, at most, mm; 0 for
+/// blocks.</param>
 /// <param name="Refused">Why smaller kinds do not suffice, in the order of the kinds.</param>
 /// <param name="Program">The program that brings the control to these offsets; null if it needs none.</param>
 public sealed record CorrectionChoice(
@@ -17,10 +17,15 @@ public sealed record CorrectionChoice(
     RadiusCorrection? Radius,
     WorkOffsetCorrection? Work,
     double DifferenceMm,
-    bool IsWithinNoise,
     IReadOnlyList<KindRefused> Refused,
     byte[]? Program)
 {
+    /// <summary>The error that is expected of the offset; null for blocks, and in reports of earlier versions.</summary>
+    public ExpectedError? Expected { get; init; }
+
+    /// <summary>The error that would be expected of blocks; null in the same cases.</summary>
+    public ExpectedError? ExpectedByBlocks { get; init; }
+
     /// <summary>The program that takes this correction back: the offsets are then as before it, in feed-forward without a correction. Null
     /// if there is no <see cref="Program"/>.</summary>
     public byte[]? Undo { get; init; }

@@ -5,17 +5,15 @@ using ErrorMatching.Nc;
 namespace ErrorMatching.Mating;
 
 /// <summary>Finds the smallest kind of correction that suffices: the tool's radius, the work offset, or blocks.</summary>
-/// <remarks>An offset suffices if every key point, and the boundary between them, ends up as near to where blocks would bring it as the
-/// job asks, or as near to where it should be; between key points, as near as its course is known. It also suffices if what it leaves at
-/// the key points cannot be told from the gauge's noise (chi-square of all of them, and the largest of them, each at 5 %) and is nowhere
-/// more than a tenth of the tolerance: then the difference is one that blocks would only copy from the noise.</remarks>
+/// <remarks>An offset suffices if the error that is expected of it, over all that may have moved the boundary (<see cref="Causes"/>), is
+/// above that of the best way by no more than a tenth or what the job allows, both as a root mean square and at the worst place (method,
+/// section 13). Likeness to blocks is no yardstick: blocks copy the noise of the gauge, and leave features within their limits where they
+/// are. An offset must not drive a measured point out of its limits that blocks leave within.</remarks>
 internal sealed class OffsetChooser
 {
-    // Between key points, a course is known no better than this many standard deviations.
-    private const double Coverage = 2;
+    // What may be lost for a smaller change.
+    private const double ShareOfError = 0.1;
 
-    private const double ErrorRate = 0.05;
-    private const double ShareOfTolerance = 0.1;
     private const int RotationDecimals = 6;
 
     private readonly MatingJob _job;
@@ -24,10 +22,12 @@ internal sealed class OffsetChooser
     private readonly OffsetTotals? _before;
     private readonly string _file;
     private readonly Marker _marker;
-    private readonly double _uncertaintyMm;
     private readonly IReadOnlyList<ComparedPlace> _places;
-    private readonly double[] _wanted;
     private readonly double[] _now;
+    private readonly double[] _byBlocks;
+    private readonly double[] _way;
+    private readonly Causes _causes;
+    private readonly ExpectedError _ofBlocks;
     private readonly List<KindRefused> _refused = [];
     private readonly OffsetUse _use;
 
@@ -54,13 +54,18 @@ internal sealed class OffsetChooser
         Marker marker)
     {
         (_job, _path, _maps, _before, _file, _marker, _use) = (job, path, maps, before, file, marker, new(job.Correction, path, maps));
-        _uncertaintyMm = decision.Features[0].StandardUncertaintyMm;
         _places = estimator.Places();
         var (was, by) = (Cuts(r => r.OnCuts(path)), blocks is null ? null : Cuts(r => r.OnCuts(blocks)));
         _now = [.. _places.Select(p => p.ErrorOn(was(p.Run)))];
-        _wanted = [
+        _byBlocks = [
             .. _places.Select((p, k) => by is not null ? p.ErrorOn(by(p.Run))
                 : decision.Features[p.Feature].Decision == Decision.Compensated ? 0 : _now[k])];
+        _way = [
+            .. _places.Select((p, k) => decision.Features[p.Feature].Decision != Decision.Compensated ? -_now[k]
+                : job.Compensation.Amount == CompensationAmount.Whole ? -job.Compensation.Gain * _now[k]
+                : _byBlocks[k] - _now[k])];
+        _causes = new(_places, _way, decision.Features[0].StandardUncertaintyMm);
+        _ofBlocks = Expected(_byBlocks);
     }
 
     /// <summary>The cuts of each run by the chosen offset; null if none is chosen.</summary>
@@ -72,10 +77,10 @@ internal sealed class OffsetChooser
     {
         if (!compensates)
         {
-            return Made(null, null, null, 0, false);
+            return Made(null, null, null, null);
         }
 
-        return Radius(_use.NotByRadius) ?? Work(_use.NotByWorkOffset) ?? Made(CorrectionKind.Blocks, null, null, 0, false);
+        return Radius(_use.NotByRadius) ?? Work(_use.NotByWorkOffset) ?? Made(CorrectionKind.Blocks, null, null, null);
     }
 
     private CorrectionChoice? Radius(string? reason)
@@ -90,7 +95,7 @@ internal sealed class OffsetChooser
             return Refuse(CorrectionKind.ToolWear, reason);
         }
 
-        var best = double.PositiveInfinity;
+        OffsetTry? best = null;
         foreach (var fitted in Fitted(_ => [1]))
         {
             var step = Rounded(fitted[0], _path.Dialect.MetricDecimals);
@@ -110,16 +115,16 @@ internal sealed class OffsetChooser
                 return Refuse(CorrectionKind.ToolWear, stop);
             }
 
-            if (Suffices(cuts, out var difference, out var isNoise))
-            {
-                Chosen = cuts;
-                return Made(CorrectionKind.ToolWear, total, null, difference, isNoise);
-            }
-
-            best = Math.Min(best, difference);
+            best = Better(best, Tried(cuts, total, default));
         }
 
-        return Refuse(CorrectionKind.ToolWear, TooFar(best));
+        if (best is null || !Suffices(best))
+        {
+            return Refuse(CorrectionKind.ToolWear, TooFar(best));
+        }
+
+        Chosen = best.Cuts;
+        return Made(CorrectionKind.ToolWear, best.RadiusMm, null, best);
     }
 
     private CorrectionChoice? Work(string? reason)
@@ -134,7 +139,7 @@ internal sealed class OffsetChooser
             return Refuse(CorrectionKind.WorkOffset, reason);
         }
 
-        var best = double.PositiveInfinity;
+        OffsetTry? best = null;
         var turns = _use.NotByTurn;
         var middle = new Point2(_places.Average(p => p.Place.X), _places.Average(p => p.Place.Y));
         foreach (var isTurned in turns is null ? [false, true] : (bool[])[false])
@@ -154,25 +159,31 @@ internal sealed class OffsetChooser
                 var total = new OffsetShift(
                     before.XMm + step.XMm, before.YMm + step.YMm, before.RotationDegrees + step.RotationDegrees);
                 var move = OffsetFit.Move((double)step.XMm, (double)step.YMm, (double)step.RotationDegrees);
-                var cuts = Cuts(r => r.OnCuts(_path).Moved(move));
-                var suffices = Suffices(cuts, out var difference, out var isNoise);
-                best = Math.Min(best, difference);
-                if (!suffices)
+                best = Better(best, Tried(Cuts(r => r.OnCuts(_path).Moved(move)), 0, total) with
                 {
-                    continue;
-                }
+                    Beyond = BeyondLimits((step.XMm, total.XMm), (step.YMm, total.YMm)) ?? BeyondTurn(step, total)
+                });
+            }
 
-                if ((BeyondLimits((step.XMm, total.XMm), (step.YMm, total.YMm)) ?? BeyondTurn(step, total)) is { } beyond)
-                {
-                    return Refuse(CorrectionKind.WorkOffset, beyond);
-                }
-
-                Chosen = cuts;
-                return Made(CorrectionKind.WorkOffset, null, total, difference, isNoise);
+            // Without a turn, if that is enough.
+            if (best is not null && Suffices(best))
+            {
+                break;
             }
         }
 
-        return Refuse(CorrectionKind.WorkOffset, turns is null ? TooFar(best) : $"{TooFar(best)}; {turns}");
+        if (best is null || !Suffices(best))
+        {
+            return Refuse(CorrectionKind.WorkOffset, turns is null ? TooFar(best) : $"{TooFar(best)}; {turns}");
+        }
+
+        if (best.Beyond is { } tooMuch)
+        {
+            return Refuse(CorrectionKind.WorkOffset, tooMuch);
+        }
+
+        Chosen = best.Cuts;
+        return Made(CorrectionKind.WorkOffset, null, best.Work, best);
     }
 
     private static double[] Shifted(ComparedPlace place) => [place.Normal.X, place.Normal.Y];
@@ -185,44 +196,41 @@ internal sealed class OffsetChooser
     private static Vector2 ShiftAbout(Point2 place, Vector2 shift, double degrees) =>
         shift + (place - OffsetFit.Move(0, 0, degrees).Apply(place));
 
-    // By what the noise of the key points asks for, and by the least largest difference.
+    // By what the noise of the key points asks for, and by the least largest error.
     private IEnumerable<double[]> Fitted(Func<ComparedPlace, double[]> row)
     {
-        double[] way = [.. _wanted.Zip(_now, (w, n) => w - n)];
         double[][] rows = [.. _places.Select(row)];
-        yield return OffsetFit.LeastSquares(rows, way, [.. _places.Select(p => p.Point >= 0 ? 1.0 : 0)]);
-        yield return OffsetFit.LeastLargest(rows, way);
+        yield return OffsetFit.LeastSquares(rows, _way, [.. _places.Select(p => p.Point >= 0 ? 1.0 : 0)]);
+        yield return OffsetFit.LeastLargest(rows, _way);
     }
 
-    private bool Suffices(Func<RunEstimate, RunPath> cuts, out double differenceMm, out bool isNoise)
+    private OffsetTry Tried(Func<RunEstimate, RunPath> cuts, decimal radiusMm, OffsetShift work)
     {
         double[] errors = [.. _places.Select(p => p.ErrorOn(cuts(p.Run)))];
-        double[] differences = [.. errors.Zip(_wanted, (e, w) => Math.Min(Math.Abs(e - w), Math.Abs(e)))];
-        differenceMm = differences.Max();
-        isNoise = differences.Where(
-            (d, k) => d > Math.Max(_job.Correction.WithinMm, Coverage * _places[k].StandardDeviationMm) + 1e-9).Any();
-        return !isNoise || IsNoise(errors, differences);
+        return new(
+            cuts,
+            radiusMm,
+            work,
+            Expected(errors),
+            errors.Select((e, k) => Math.Min(Math.Abs(e - _byBlocks[k]), Math.Abs(e))).Max(),
+            Enumerable.Range(0, errors.Length).Any(k => IsDrivenOut(_places[k], _byBlocks[k], errors[k])));
     }
 
-    private bool IsNoise(double[] errors, double[] differences)
-    {
-        double[] left = [.. errors.Zip(_wanted, (e, w) => e - w).Where((_, k) => _places[k].Point >= 0)];
-        if (_uncertaintyMm <= 0 || left.Length < 2)
-        {
-            return false;
-        }
+    private static OffsetTry Better(OffsetTry? one, OffsetTry other) =>
+        one is null || (one.DrivesOut, one.Expected.LargestMm).CompareTo((other.DrivesOut, other.Expected.LargestMm)) > 0 ? other : one;
 
-        var squares = left.Sum(r => r * r) / (_uncertaintyMm * _uncertaintyMm);
-        var most = left.Max(Math.Abs) / _uncertaintyMm;
-        return ChiSquaredDistribution.Above(squares, left.Length - 1) >= ErrorRate
-            && NormalDistribution.Below(-most) >= ErrorRate / (2 * left.Length)
-            && !_places.Where((p, k) => differences[k] > ShareOfTolerance * LimitsOf(p).WidthMm || IsDrivenOut(p, _wanted[k], errors[k]))
-                .Any();
-    }
+    private ExpectedError Expected(double[] errors) => _causes.Of([.. errors.Zip(_now, (e, n) => e - n)]);
 
-    // Noise or not: what blocks would leave within its limits must not end up outside of them.
+    private bool Suffices(OffsetTry tried) => !tried.DrivesOut
+        && IsNearly(tried.Expected.RmsMm, _ofBlocks.RmsMm)
+        && IsNearly(tried.Expected.LargestMm, _ofBlocks.LargestMm);
+
+    private bool IsNearly(double error, double ofBlocks) =>
+        error <= ofBlocks + Math.Max(ShareOfError * ofBlocks, _job.Correction.WithinMm) + 1e-9;
+
+    // Noise or not: what blocks would leave within its limits must not end up outside of them. Limits without width say nothing.
     private bool IsDrivenOut(ComparedPlace place, double byBlocks, double byOffset) =>
-        LimitsOf(place) is var limits && limits.Contains(byBlocks) && !limits.Contains(byOffset);
+        LimitsOf(place) is { WidthMm: > 0 } limits && limits.Contains(byBlocks) && !limits.Contains(byOffset);
 
     // The limits of the mating error at a place.
     private ToleranceBand LimitsOf(ComparedPlace place) => _maps[place.Feature].Feature.Tolerance.Band.Opposite();
@@ -280,9 +288,12 @@ internal sealed class OffsetChooser
             : null;
     }
 
-    private static string TooFar(double differenceMm) => double.IsInfinity(differenceMm)
+    private string TooFar(OffsetTry? tried) => tried is null
         ? "what it could correct is below its increment"
-        : string.Create(CultureInfo.InvariantCulture, $"the boundary would be up to {differenceMm:0.0000} mm from where blocks bring it");
+        : string.Create(
+            CultureInfo.InvariantCulture,
+            $"the boundary would be up to {tried.DifferenceMm:0.0000} mm from where blocks bring it, and an error of "
+                + $"{tried.Expected.RmsMm:0.0000} mm (rms) is expected instead of {_ofBlocks.RmsMm:0.0000}");
 
     private CorrectionChoice? Refuse(CorrectionKind kind, string reason)
     {
@@ -291,7 +302,7 @@ internal sealed class OffsetChooser
     }
 
     // Offsets that are not needed are set to what they were (in feedback) or to nothing (in feed-forward, which starts from there).
-    private CorrectionChoice Made(CorrectionKind? kind, decimal? radiusTotal, OffsetShift? workTotal, double difference, bool isNoise)
+    private CorrectionChoice Made(CorrectionKind? kind, decimal? radiusTotal, OffsetShift? workTotal, OffsetTry? tried)
     {
         var job = _job.Correction;
         var radius = job.Allows(CorrectionKind.ToolWear) && _use.RadiusNumber is { } d
@@ -304,11 +315,13 @@ internal sealed class OffsetChooser
             kind,
             radius,
             work,
-            difference,
-            isNoise,
+            tried?.DifferenceMm ?? 0,
             _refused,
             Program(radius, work))
         {
+            Expected = tried?.Expected,
+            ExpectedByBlocks = tried is null ? null : _ofBlocks,
+
             // Back to the offsets before, which in feed-forward are none, whatever the control has of the piece before.
             Undo = Program(
                 radius is { BeforeMm: { } radiusBefore } ? radius with { TotalMm = radiusBefore, BeforeMm = radius.TotalMm }
@@ -339,4 +352,11 @@ internal sealed class OffsetChooser
 
     private static decimal Rounded(double value, int decimals) =>
         Math.Abs(value) < 1000 ? Math.Round((decimal)value, decimals, MidpointRounding.AwayFromZero) : 1000;
+
+    // An offset that was tried. DrivesOut: a measured point leaves its limits that blocks keep within. Beyond: why it is too large.
+    private sealed record OffsetTry(
+        Func<RunEstimate, RunPath> Cuts, decimal RadiusMm, OffsetShift Work, ExpectedError Expected, double DifferenceMm, bool DrivesOut)
+    {
+        public string? Beyond { get; init; }
+    }
 }

@@ -12,7 +12,7 @@ internal sealed class DeviationPrior
     public const double VagueMm = 1;
 
     private readonly BoundaryElement _element;
-    private readonly double[] _deviations;
+    private double[] _deviations;
 
     // An array, because the sum over it is the innermost loop of an estimate.
     private readonly (double VarianceMm2, double LengthMm)[] _form = [];
@@ -54,6 +54,18 @@ internal sealed class DeviationPrior
         TiltMm,
         Math.Sqrt(Form.Sum(f => f.VarianceMm2)),
         Form.Count == 0 ? null : Form.Sum(f => f.VarianceMm2 * f.LengthMm) / Form.Sum(f => f.VarianceMm2));
+
+    /// <summary>The same prior where a scale is known of what the points alone determine here.</summary>
+    /// <param name="mm">The standard deviation, mm.</param>
+    public DeviationPrior WithVague(double mm)
+    {
+        var copy = (DeviationPrior)MemberwiseClone();
+
+        // The terms of a polynomial have the mean square 1 / n over its n points.
+        var ofTerm = _terms.Length == 0 ? mm : mm * _terms[0].Norm;
+        copy._deviations = [.. _deviations.Select(d => d == VagueMm ? ofTerm : d)];
+        return copy;
+    }
 
     /// <summary>Covariance of the deviations at two places, mm^2.</summary>
     public double Covariance(double along, double other) => OfShape(along, other) + OfForm(along, other);

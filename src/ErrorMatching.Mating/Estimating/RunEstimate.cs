@@ -301,6 +301,9 @@ internal sealed class RunEstimate
             : (feet.Min(), feet.Max(), Math.Clamp((int)Math.Ceiling((feet.Max() - feet.Min()) / SpacingMm), 1, MostPlaces));
     }
 
+    /// <summary>What was assumed about its elements before they were measured.</summary>
+    public IReadOnlyList<DeviationPrior> Priors => _priors!.Value.OfPiece;
+
     /// <summary>What was assumed about an element before it was measured.</summary>
     public ElementPrior PriorOf(BoundaryElement element) => _priors!.Value.OfPiece[IndexOf(element)].Summary;
 

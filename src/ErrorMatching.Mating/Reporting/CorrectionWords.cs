@@ -6,8 +6,6 @@ namespace ErrorMatching.Mating;
 /// <summary>Report texts of the kind of a correction.</summary>
 public static class CorrectionWords
 {
-    private const string Noise = ", which is not more than the gauge's noise";
-
     /// <summary>What to do with the offsets, in a sentence; null if the job allows none, or they are not touched.</summary>
     public static string? ToDo(ReportCorrection? correction)
     {
@@ -38,10 +36,15 @@ public static class CorrectionWords
 
         if (correction.Choice.IsOffset)
         {
-            yield return string.Create(
-                CultureInfo.InvariantCulture,
-                $"By {Name(correction.Choice.Kind!.Value)}: the boundary is nowhere more than {correction.Choice.DifferenceMm:0.0000} mm "
-                    + $"from where blocks would bring it{(correction.Choice.IsWithinNoise ? Noise : "")}.");
+            var expected = correction.Choice is { Expected: { } own, ExpectedByBlocks: { } blocks }
+                ? string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"an error of {own.RmsMm:0.0000} mm (rms), {own.LargestMm:0.0000} at the worst place, is expected; by blocks "
+                        + $"{blocks.RmsMm:0.0000} and {blocks.LargestMm:0.0000}")
+                : string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"the boundary is nowhere more than {correction.Choice.DifferenceMm:0.0000} mm from where blocks would bring it");
+            yield return $"By {Name(correction.Choice.Kind!.Value)}: {expected}.";
         }
     }
 

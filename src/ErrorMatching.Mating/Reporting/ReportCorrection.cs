@@ -37,7 +37,8 @@ public sealed record ReportCorrection(CorrectionChoice Choice, string? File, str
             }
         });
         w.Number("differenceMm", Choice.DifferenceMm);
-        w.Flag("withinNoise", Choice.IsWithinNoise);
+        w.Optional("expected", Choice.Expected, e => Write(w, e));
+        w.Optional("expectedByBlocks", Choice.ExpectedByBlocks, e => Write(w, e));
         w.List("refused", Choice.Refused, r =>
         {
             w.Text("kind", ReportWords.Of(r.Kind));
@@ -76,9 +77,12 @@ public sealed record ReportCorrection(CorrectionChoice Choice, string? File, str
                     ? new(work.Count("number"), Shift(work.Object("total")), work.OptionalObject("before") is { } b ? Shift(b) : null)
                     : null,
                 r.Number("differenceMm"),
-                r.Flag("withinNoise"),
                 r.List("refused", x => new KindRefused(x.Word<CorrectionKind>("kind", ReportWords.Of), x.Text("reason"))),
-                null),
+                null)
+            {
+                Expected = Expected(r.OptionalObject("expected")),
+                ExpectedByBlocks = Expected(r.OptionalObject("expectedByBlocks")),
+            },
             program?.Text("file"),
             program?.Text("sha256"))
         {
@@ -92,6 +96,14 @@ public sealed record ReportCorrection(CorrectionChoice Choice, string? File, str
         w.Number("yMm", (double)shift.YMm);
         w.Number("rotationDegrees", (double)shift.RotationDegrees);
     }
+
+    private static void Write(ReportWriter w, ExpectedError expected)
+    {
+        w.Number("rmsMm", expected.RmsMm);
+        w.Number("largestMm", expected.LargestMm);
+    }
+
+    private static ExpectedError? Expected(ReportReader? r) => r is null ? null : new(r.Number("rmsMm"), r.Number("largestMm"));
 
     private static OffsetShift Shift(ReportReader r) =>
         new(Exact(r.Number("xMm")), Exact(r.Number("yMm")), Exact(r.Number("rotationDegrees")));

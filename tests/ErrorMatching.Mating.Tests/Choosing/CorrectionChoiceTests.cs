@@ -137,6 +137,33 @@ public sealed class CorrectionChoiceTests
         Assert.Equal(kind, choice.Kind);
     }
 
+    // Blocks leave the second line alone, which is within its limits, and so 8 um off. The work offset moves both.
+    [Theory]
+    [InlineData(0.008)]
+    [InlineData(-0.008)]
+    public void A_shift_of_the_whole_part_moves_what_blocks_leave_within_its_limits(double second)
+    {
+        var shifted = Case("\"work-offset\", \"blocks\"", MayMove) with
+        {
+            Program = Corner,
+            Theoretical = "1 10 0; 2 40 0; 3 45 -30; 4 25 -30; 5 50 -8; 6 50 -22",
+            Part = FormattableString.Invariant($"1 10 0.03; 2 40 0.03; 3 45 -29.97; 4 25 -29.97; 5 {50 + second} -8; 6 {50 + second} -22"),
+            Gauge = """ "uncertaintyMm": 0.0005 """,
+            Features =
+            [
+                MatchCase.Line("L1", "N50", "1", "2", """ "toleranceMm": [-0.012, 0.012] """),
+                MatchCase.Line("L2", "N60", "5", "6", """ "toleranceMm": [-0.012, 0.012] """),
+                MatchCase.Line("L3", "N70", "3", "4", """ "toleranceMm": [-0.012, 0.012] """),
+            ],
+        };
+        var match = shifted.Match();
+        Assert.Equal(CorrectionKind.WorkOffset, match.Correction!.Kind);
+        Assert.Equal(new((decimal)second, UpMm + 0.010m, 0), match.Correction.Work!.Total);
+        Assert.InRange(match.Correction.ExpectedByBlocks!.LargestMm, 0.0079, 0.0082);
+        Assert.InRange(match.Correction.Expected!.LargestMm, 0, 0.001);
+        Assert.All(match.Prediction.Features.SelectMany(f => f.Points), p => Assert.InRange(p.AfterMm, -0.0001, 0.0001));
+    }
+
     [Theory]
     [InlineData(", \"stepMm\": 0.02", CorrectionKind.ToolWear)]
     [InlineData(", \"stepMm\": 0.0199", CorrectionKind.Blocks)]
