@@ -21,6 +21,9 @@ public sealed record MatingRequest
     /// none.</summary>
     public GivenFile? Previous { get; init; }
 
+    /// <summary>True if the tool was changed before the measured counterpart was cut; only with <see cref="Previous"/>.</summary>
+    public bool ToolChanged { get; init; }
+
     /// <summary>True to begin a new lot where <see cref="Previous"/> has other key points or none, because a job was changed or the report
     /// is of an older version; false to refuse it.</summary>
     public bool MayBeginAnew { get; init; }

@@ -41,6 +41,7 @@ public static class MatingRun
                 {
                     OwnDialect = dialect,
                     Previous = previous,
+                    ToolChanged = request.ToolChanged,
                     Library = called.Find,
                     OffsetsFile = request.OffsetsFile,
                 });
@@ -84,7 +85,12 @@ public static class MatingRun
     {
         if (request.Previous is not { } given)
         {
-            return default;
+            return !request.ToolChanged ? default
+                : throw new InputException(Refusal.Of(
+                    "tool-changed-alone",
+                    "a changed tool, but no match before it",
+                    "the report of the match whose program cut the counterpart, because the first counterpart has nothing to forget",
+                    new() { File = job.File }));
         }
 
         if (job.Compensation.From != CompensationSource.Counterpart)

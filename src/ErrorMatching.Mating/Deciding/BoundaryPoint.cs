@@ -29,6 +29,13 @@ public sealed record BoundaryPoint(string Label, Point2 Present, Point2 Wanted, 
     /// <summary>What was measured: the deviation along the normal, whatever gap is wanted and whatever the program does, mm.</summary>
     internal double MeasuredMm => NormalMm + BaseMm + GapMm;
 
+    /// <summary>What is not followed, because the part may be as designed there and only its measurement off: the part's deviation along
+    /// the normal, mm. 0 for a single counterpart, of which the whole displacement is judged.</summary>
+    public double IgnoredMm { get; init; }
+
+    /// <summary>Signed length of what may be followed along the normal.</summary>
+    public double FollowedMm => NormalMm - IgnoredMm;
+
     /// <summary>Signed length of the displacement along the normal; positive if the counterpart must keep more material.</summary>
     public double NormalMm => Displacement.Dot(Normal);
 }

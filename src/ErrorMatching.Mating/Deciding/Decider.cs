@@ -9,9 +9,9 @@ namespace ErrorMatching.Mating;
 /// <remarks>
 /// <para>A feature is outside its tolerance if the normal deviation of any of its points is outside the acceptance limits
 /// (<see cref="DecisionRule"/>). All its points are then compensated, because moving only part of a line would bend it.</para>
-/// <para>The deviation of such a point must also be significant (<see cref="Significance"/>) against the combined standard uncertainty u
-/// of a normal deviation (<see cref="MatingJob.DeviationUncertaintyMm"/>; less in feedback with several counterparts,
-/// <see cref="CounterpartLot"/>).</para>
+/// <para>The deviation of such a point, or what the points have in common, must also be significant (<see cref="Significance"/>) against
+/// the combined standard uncertainty u of a normal deviation (<see cref="MatingJob.DeviationUncertaintyMm"/>). In feedback with several
+/// counterparts, what they say of the next one decides (<see cref="CounterpartLot"/>).</para>
 /// <para>Limits that are wider than <see cref="UsualTolerance"/> and more than <see cref="MostTolerance"/> times a significant deviation
 /// of the feature are refused, because they are probably micrometers entered as millimeters. A tolerance may well be wider than the
 /// deviations of a good piece: by a factor of 50 if 0.05 mm are allowed and 1 um is found. Micrometers read as millimeters are off by a
@@ -29,28 +29,40 @@ internal static class Decider
     /// <summary>Decides on all features of a job.</summary>
     /// <param name="job">The job, with features, tolerances, uncertainty and compensation.</param>
     /// <param name="points">For each feature of the job, in its order, the key points in the order of cutting.</param>
-    /// <param name="uncertaintyMm">Standard uncertainty of the deviation of a point; null for that of the job.</param>
+    /// <param name="lot">The counterparts so far; null in feed-forward.</param>
     /// <exception cref="ArgumentException">The lists do not match the job's features and points.</exception>
-    public static MatingDecision Decide(MatingJob job, IReadOnlyList<IReadOnlyList<BoundaryPoint>> points, double? uncertaintyMm = null)
+    public static MatingDecision Decide(MatingJob job, IReadOnlyList<IReadOnlyList<BoundaryPoint>> points, CounterpartLot? lot = null)
     {
         ArgumentNullException.ThrowIfNull(job);
         ArgumentNullException.ThrowIfNull(points);
-        var u = uncertaintyMm ?? job.DeviationUncertaintyMm;
+        var u = lot?.UncertaintyMm(job) ?? job.DeviationUncertaintyMm;
         var acceptance = job.Features.Select(f => job.Rule.AcceptanceLimits(f.Tolerance.Band, Math.Min(u, job.DeviationUncertaintyMm))
             ?? throw new ArgumentException($"The guard bands of {f.Name} overlap; expected a checked job.", nameof(job))).ToArray();
-        var significant = u * Significance.Factor([.. acceptance.Select((a, i) => (a, job.Features[i].Points.Count))], u);
+        for (var i = 0; i < job.Features.Count; i++)
+        {
+            if (points.Count != job.Features.Count || !job.Features[i].Points.SequenceEqual(points[i].Select(p => p.Label)))
+            {
+                throw new ArgumentException(
+                    $"Found other points than those of {job.Features[i].Name}; expected its key points in the order of cutting.",
+                    nameof(points));
+            }
+        }
+
+        // What a lot says of the next counterpart is not the noise of one measurement.
+        var significant = lot?.WorthMm
+            ?? (u * Significance.Factor([.. acceptance.Select((a, i) => (a, job.Features[i].Points.Count))], u));
+        bool[] alone = [
+            .. points.Select((p, i) => p.Any(b => !acceptance[i].Contains(b.NormalMm) && Math.Abs(b.FollowedMm) > significant))];
+        var together = lot?.WorthMm is null
+            ? Significance.Together(
+                [.. points.Select(f => f.Select(SignificantPoint.Of).ToArray())], alone, u, job.DeviationUncertaintySharedMm)
+            : new bool[alone.Length];
         var features = new List<FeatureDecision>();
         var refusals = new List<Refusal>();
         for (var i = 0; i < job.Features.Count; i++)
         {
             var feature = job.Features[i];
-            if (points.Count != job.Features.Count || !feature.Points.SequenceEqual(points[i].Select(p => p.Label)))
-            {
-                throw new ArgumentException(
-                    $"Found other points than those of {feature.Name}; expected its key points in the order of cutting.", nameof(points));
-            }
-
-            features.Add(Decide(feature, acceptance[i], points[i], job.Compensation, u, significant));
+            features.Add(Decide(feature, acceptance[i], points[i], job.Compensation, u, significant, together[i]));
             if (Micrometers(feature, i, features[i].LargestMm, u) is { } micrometers)
             {
                 refusals.Add(micrometers);
@@ -94,16 +106,19 @@ internal static class Decider
         IReadOnlyList<BoundaryPoint> points,
         JobCompensation compensation,
         double u,
-        double significant)
+        double significant,
+        bool isTogether)
     {
         var outside = points.Where(p => !acceptance.Contains(p.NormalMm)).ToArray();
+        var isAlone = outside.Any(p => Math.Abs(p.FollowedMm) > significant);
         var decision = outside.Length == 0 ? Decision.WithinTolerance
-            : outside.All(p => Math.Abs(p.NormalMm) <= significant) ? Decision.NotSignificant
-            : Decision.Compensated;
+            : isAlone || isTogether ? Decision.Compensated
+            : Decision.NotSignificant;
         return new(feature.Name, decision, points.Select(p => p.NormalMm).MaxBy(Math.Abs), u, [.. points.Select(Decided)])
         {
             Acceptance = acceptance,
             SignificantMm = significant,
+            IsSignificantTogether = decision == Decision.Compensated && !isAlone,
         };
 
         PointDecision Decided(BoundaryPoint point) => new(
@@ -117,7 +132,7 @@ internal static class Decider
 
     private static Vector2 Correction(BoundaryPoint point, ToleranceBand band, JobCompensation compensation)
     {
-        var normal = point.NormalMm;
+        var normal = point.FollowedMm;
         var amount = compensation.Amount == CompensationAmount.Whole ? normal : band.ExcessOf(normal);
         if (compensation.Along == CompensationDirection.Normal)
         {
@@ -126,7 +141,7 @@ internal static class Decider
 
         // The excess is the same fraction of the vector as of its normal component.
         var share = compensation.Amount == CompensationAmount.Whole ? 1 : normal == 0 ? 0 : amount / normal;
-        return point.Displacement * (compensation.Gain * share);
+        return (point.Displacement - (point.Normal * point.IgnoredMm)) * (compensation.Gain * share);
     }
 
     private static Refusal Implausible(string feature, BoundaryPoint point, double limit) => RefusalForms.Refusal(

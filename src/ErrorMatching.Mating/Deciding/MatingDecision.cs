@@ -39,6 +39,10 @@ public sealed record FeatureDecision(
     /// job.</summary>
     public required double SignificantMm { get; init; }
 
+    /// <summary>True if no point alone is significant, but what they have in common is: a shift, a tilt or a growth of this feature, or of
+    /// all features together.</summary>
+    public bool IsSignificantTogether { get; init; }
+
     /// <summary>The probability that every point is within its limits without compensation, if the errors of the points are independent;
     /// null for limits without width.</summary>
     public double? ProbabilityBefore => Conformance.OfIndependent(Points.Select(p => p.ProbabilityBefore));

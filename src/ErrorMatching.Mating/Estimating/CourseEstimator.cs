@@ -249,6 +249,7 @@ internal sealed class CourseEstimator
         {
             var decided = _decision.Features[feature].Points[i];
             var (deviation, normal) = (_job.Counterpart.Frame.Apply(decided.Point.FromTheoretical), pass.Feet[i].Normal);
+            var followed = deviation - _job.Counterpart.Frame.Apply(decided.Point.Normal * decided.Point.IgnoredMm);
             (BoundaryElement, double)? beside = null;
             if (_job.Compensation.From == CompensationSource.Counterpart)
             {
@@ -261,7 +262,7 @@ internal sealed class CourseEstimator
                     beside = (element, pass.Along(pass.Feet[i]));
                 }
 
-                deviation = normal * deviation.Dot(normal);
+                (deviation, followed) = (normal * deviation.Dot(normal), normal * followed.Dot(normal));
             }
 
             yield return new(
@@ -269,24 +270,27 @@ internal sealed class CourseEstimator
                 i,
                 _theoretical[feature][i],
                 deviation,
-                IsCompensated(feature) ? deviation * ShareOf(decided) : deviation,
+                IsCompensated(feature) ? followed * ShareOf(decided, _decision.Features[feature].Acceptance) : deviation,
                 normal)
             {
                 Beside = beside,
                 Own = (pass, pass.Feet[i]),
                 GapMm = decided.Point.GapMm,
                 CountsBase = _job.Compensation.From == CompensationSource.Part,
-                BaseShare = _maps[feature].Feature.CorrectsBase && IsCompensated(feature) ? ShareOf(decided) : 0,
+                BaseShare = _maps[feature].Feature.CorrectsBase && IsCompensated(feature)
+                    ? ShareOf(decided, _decision.Features[feature].Acceptance)
+                    : 0,
+                IgnoredMm = decided.Point.IgnoredMm,
             };
         }
     }
 
     // The part of the deviation at a point that is compensated.
-    private double ShareOf(PointDecision decided)
+    private double ShareOf(PointDecision decided, ToleranceBand acceptance)
     {
-        var normal = decided.Point.NormalMm;
+        var normal = decided.Point.FollowedMm;
         return _job.Compensation.Gain
-            * (_job.Compensation.Amount == CompensationAmount.Whole ? 1 : normal == 0 ? 0 : decided.ExcessMm / normal);
+            * (_job.Compensation.Amount == CompensationAmount.Whole ? 1 : normal == 0 ? 0 : acceptance.ExcessOf(normal) / normal);
     }
 
     private Refusal? Wishes(out DisplacementWish wish)

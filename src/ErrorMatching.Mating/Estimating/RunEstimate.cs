@@ -15,7 +15,7 @@ internal sealed class RunEstimate
 
     private readonly BoundaryRow?[] _ofPoints;
     private readonly RunPath _before;
-    private readonly Dictionary<BoundaryElement, (double AlongMm, double All, double Corrected)[]> _bases =
+    private readonly Dictionary<BoundaryElement, (double AlongMm, double All, double Corrected, double Ignored)[]> _bases =
         new(ReferenceEqualityComparer.Instance);
     private (DeviationPrior[] OfCuts, DeviationPrior[] OfPiece)? _priors;
 
@@ -161,7 +161,8 @@ internal sealed class RunEstimate
 
     // The same along an element, and what of it is corrected. Between key points nothing tells it: it goes straight from one to the next. A
     // point on a corner tells it of two elements together, so it counts only where no other one does.
-    private (double All, double Corrected) BaseAt(BoundaryElement element, double along)
+    // With it, what is not followed of the part's deviations.
+    private (double All, double Corrected, double Ignored) BaseAt(BoundaryElement element, double along)
     {
         if (!_bases.TryGetValue(element, out var bases))
         {
@@ -169,7 +170,7 @@ internal sealed class RunEstimate
             var beside = Array.FindAll(own, p => !p.Point.Own!.Value.Foot.OnCorner);
             bases = _bases[element] = [
                 .. (beside.Length > 0 ? beside : own).OrderBy(p => p.At)
-                    .Select(p => (p.At!.Value, BaseMm(p.Index), CorrectedBaseMm(p.Index)))];
+                    .Select(p => (p.At!.Value, BaseMm(p.Index), CorrectedBaseMm(p.Index), p.Point.IgnoredMm))];
         }
 
         var after = Array.FindIndex(bases, b => b.AlongMm >= along);
@@ -180,7 +181,10 @@ internal sealed class RunEstimate
 
         var (from, to) = (bases[after < 0 ? ^1 : Math.Max(after - 1, 0)], bases[after < 0 ? ^1 : after]);
         var share = to.AlongMm > from.AlongMm ? (along - from.AlongMm) / (to.AlongMm - from.AlongMm) : 0;
-        return (from.All + (share * (to.All - from.All)), from.Corrected + (share * (to.Corrected - from.Corrected)));
+        return (
+            from.All + (share * (to.All - from.All)),
+            from.Corrected + (share * (to.Corrected - from.Corrected)),
+            from.Ignored + (share * (to.Ignored - from.Ignored)));
     }
 
     private double CorrectedBaseAt(int element, double along) => BaseAt(Run.Elements[element], along).Corrected;
@@ -258,9 +262,9 @@ internal sealed class RunEstimate
                 Points[i].Index,
                 Points[i].Theoretical + Points[i].Deviation,
                 Points[i].Normal,
-                Nominal[i].DistanceMm - CorrectedBaseMm(i))
+                Nominal[i].DistanceMm - CorrectedBaseMm(i) - Points[i].IgnoredMm)
             {
-                KeptBaseMm = BaseMm(i) - CorrectedBaseMm(i),
+                KeptMm = BaseMm(i) - CorrectedBaseMm(i) - Points[i].IgnoredMm,
                 GapMm = Points[i].GapMm,
                 Terms = _ofPoints[i]?.Terms ?? [],
                 ResidualMm = _ofPoints[i] is { } row ? row.ValueMm - Field!.Mean(row.Terms) : 0,
@@ -280,10 +284,11 @@ internal sealed class RunEstimate
                 var along = span.From + ((span.To - span.From) * k / span.Steps);
                 var (place, normal) = Run.PlaceAt(element, along);
                 var own = Points.First(p => p.AlongOf(element) is not null);
-                var (differs, corrected) = BaseAt(element, along);
-                yield return new(this, featureOf(element), -1, place + (normal * (Field!.Mean(e, along) - corrected)), normal, Run.Radius)
+                var (differs, corrected, ignored) = BaseAt(element, along);
+                var wanted = place + (normal * (Field!.Mean(e, along) - corrected - ignored));
+                yield return new(this, featureOf(element), -1, wanted, normal, Run.Radius)
                 {
-                    KeptBaseMm = differs - corrected,
+                    KeptMm = differs - corrected - ignored,
                     GapMm = own.GapMm,
                     StandardDeviationMm = Field.StandardDeviation(e, along),
                     Terms = [new(e, along, 1)],
@@ -346,9 +351,9 @@ internal sealed record ComparedPlace(RunEstimate Run, int Feature, int Point, Po
     /// <summary>How far the measured point is beyond the estimated boundary, toward the tool, mm; 0 between key points.</summary>
     public double ResidualMm { get; init; }
 
-    /// <summary>What the program before does differently there from the theoretical outline, and the job keeps, mm: positive where it
-    /// leaves too much material.</summary>
-    public double KeptBaseMm { get; init; }
+    /// <summary>The error that stays whatever is corrected, because the job keeps what the program before does differently, or because
+    /// the part's deviation may be the gauge's, mm: positive where too much material stands.</summary>
+    public double KeptMm { get; init; }
 
     /// <summary>The gap that the job wants there, mm.</summary>
     public double GapMm { get; init; }
@@ -377,6 +382,9 @@ internal sealed record RunPoint(int Feature, int Index, Point2 Theoretical, Vect
 
     /// <summary>The share of that which is corrected.</summary>
     public double BaseShare { get; init; }
+
+    /// <summary>What of the deviation is not followed, mm.</summary>
+    public double IgnoredMm { get; init; }
 
     /// <summary>From the theoretical place to the measured one.</summary>
     public Vector2 Measured => Deviation + (Normal * GapMm);

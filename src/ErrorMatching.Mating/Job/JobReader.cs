@@ -86,7 +86,10 @@ internal sealed class JobReader(JsonItem root)
             _problems.Read(all => MeasurementFormat.Read(item["format"], all)) ?? MeasurementFormat.Points,
             uncertainty.Kind == JsonItemKind.Number
                 ? UncertaintyBudget.Of(uncertainty.Number)
-                : new([.. uncertainty.Items.Select(c => new UncertaintyContribution(c["name"].Text, c["valueMm"].Number))]),
+                : new([.. uncertainty.Items.Select(c => new UncertaintyContribution(c["name"].Text, c["valueMm"].Number)
+                {
+                    IsShared = c.Find("shared")?.Flag ?? false,
+                })]),
             reports,
             diameter,
             new(

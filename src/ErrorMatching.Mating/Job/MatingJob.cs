@@ -76,6 +76,10 @@ public sealed record MatingJob
     public double DeviationUncertaintyMm =>
         Gauge.Uncertainty.CombinedMm * (Compensation.From == CompensationSource.Counterpart ? Math.Sqrt(2) : 1);
 
+    /// <summary>The part of it that all points share, as a growth of the outline.</summary>
+    public double DeviationUncertaintySharedMm =>
+        Gauge.Uncertainty.SharedMm * (Compensation.From == CompensationSource.Counterpart ? Math.Sqrt(2) : 1);
+
     /// <summary>The dimensions that add up to the mating dimension; null if the job has none.</summary>
     public ToleranceChain? Chain { get; init; }
 

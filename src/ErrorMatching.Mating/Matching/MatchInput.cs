@@ -28,6 +28,9 @@ public sealed record MatchInput(
     /// did.</summary>
     public PreviousMatch? Previous { get; init; }
 
+    /// <summary>True if the tool was changed before the measured counterpart was cut: the process may have moved.</summary>
+    public bool ToolChanged { get; init; }
+
     /// <summary>Returns a called program that is not in the file, by its name; null if there is none. The same name always gives the same
     /// program. If the function itself is null, no other program is known.</summary>
     public Func<string, NcProgram?>? Library { get; init; }

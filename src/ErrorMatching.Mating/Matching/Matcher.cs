@@ -39,7 +39,7 @@ public static class Matcher
         CounterpartLot? lot = null;
         if (job.Compensation.From == CompensationSource.Counterpart)
         {
-            var following = CounterpartLot.Of(job, maps, input.Theoretical, counterpart!, input.Previous);
+            var following = CounterpartLot.Of(job, maps, input.Theoretical, counterpart!, input.Previous, input.ToolChanged);
             if (following.Result is null)
             {
                 return Outcome.Refused<MatchResult>(following.Refusals);
@@ -49,7 +49,7 @@ public static class Matcher
         }
 
         var points = BoundaryPoints(input, maps, part, counterpart, lot);
-        var decision = Decider.Decide(job, points, lot?.UncertaintyMm(job));
+        var decision = Decider.Decide(job, points, lot);
         if (job.Features.Any(f => f.CorrectsBase) && lot is null)
         {
             // Where the program cuts is seen on the runs of its cuts, which only a decision brings together with the points.
@@ -154,15 +154,34 @@ public static class Matcher
         CounterpartLot? lot)
     {
         var number = 0;
-        return [.. maps.Select(map => (IReadOnlyList<BoundaryPoint>)[.. map.Feature.Points.Select((label, i) =>
+        var isFollowed = lot?.Next is null ? null : PartIsFollowed(input, maps, part);
+        return [.. maps.Select((map, f) => (IReadOnlyList<BoundaryPoint>)[.. map.Feature.Points.Select((label, i) =>
         {
             var design = ProjectedPoint.Of(input.Theoretical[label], map.Feature.Plane, input.Theoretical.File).Position;
             var present = lot is null ? design
                 : lot.ExpectedMm(number++) is { } expected ? design + (expected * map.Normals[i])
                 : counterpart!.Points[label];
             var gap = map.Feature.GapMm;
-            return new BoundaryPoint(label, present, part.Points[label] - (gap * map.Normals[i]), map.Normals[i]) { GapMm = gap };
+            return new BoundaryPoint(label, present, part.Points[label] - (gap * map.Normals[i]), map.Normals[i])
+            {
+                GapMm = gap,
+                IgnoredMm = isFollowed?[f] ?? true ? 0 : (part.Points[label] - design).Dot(map.Normals[i]),
+            };
         })])];
+    }
+
+    // Whether a feature of the part is off its design by more than its measurement may show.
+    private static bool[] PartIsFollowed(MatchInput input, IReadOnlyList<FeatureMap> maps, AlignedMeasurement part)
+    {
+        var u = input.Job.Gauge.Uncertainty.CombinedMm;
+        var features = maps.Select(map => map.Feature.Points.Select((label, i) =>
+        {
+            var design = ProjectedPoint.Of(input.Theoretical[label], map.Feature.Plane, input.Theoretical.File).Position;
+            return new SignificantPoint(design, map.Normals[i], (part.Points[label] - design).Dot(map.Normals[i]));
+        }).ToArray()).ToArray();
+        var factor = Significance.Factor([.. features.Select(f => (ToleranceBand.Zero, f.Length))], u);
+        bool[] alone = [.. features.Select(f => f.Any(p => Math.Abs(p.Mm) > factor * u))];
+        return Significance.Together(features, alone, u, input.Job.Gauge.Uncertainty.SharedMm);
     }
 
     // The program begins where it cuts, not where it should.

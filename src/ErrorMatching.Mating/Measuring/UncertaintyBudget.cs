@@ -10,6 +10,9 @@ public sealed record UncertaintyBudget(IReadOnlyList<UncertaintyContribution> Co
     /// <summary>Root sum of squares of all contributions.</summary>
     public double CombinedMm => Math.Sqrt(Contributions.Sum(c => c.ValueMm * c.ValueMm));
 
+    /// <summary>Root sum of squares of the contributions that all points share.</summary>
+    public double SharedMm => Math.Sqrt(Contributions.Where(c => c.IsShared).Sum(c => c.ValueMm * c.ValueMm));
+
     /// <summary>A budget with a single contribution.</summary>
     public static UncertaintyBudget Of(double valueMm) => new([new("gauge", valueMm)]);
 }
@@ -17,4 +20,9 @@ public sealed record UncertaintyBudget(IReadOnlyList<UncertaintyContribution> Co
 /// <summary>One cause of uncertainty of a measured coordinate.</summary>
 /// <param name="Name">The cause.</param>
 /// <param name="ValueMm">Its standard uncertainty, zero or more.</param>
-public sealed record UncertaintyContribution(string Name, double ValueMm);
+public sealed record UncertaintyContribution(string Name, double ValueMm)
+{
+    /// <summary>True if it moves all points of a measurement alike along their normals, as temperature or the radius of the stylus
+    /// does.</summary>
+    public bool IsShared { get; init; }
+}

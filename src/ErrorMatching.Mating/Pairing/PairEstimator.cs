@@ -109,7 +109,7 @@ internal sealed class PairEstimator
         _factors.Add(PairFactor.Of(_places.Count, run.Field!.Together([.. places.Select(p => p.Terms)])));
         foreach (var place in places)
         {
-            var beyond = place.GapMm - place.KeptBaseMm - place.ResidualMm;
+            var beyond = place.GapMm - place.KeptMm - place.ResidualMm;
             Add(place.Feature, place.Place, place.Normal, cuts, place.NominalMm, beyond, isBetween: place.Point < 0);
         }
 

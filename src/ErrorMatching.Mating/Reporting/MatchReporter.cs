@@ -140,6 +140,7 @@ public static class MatchReporter
             UncertaintyMm = decision.StandardUncertaintyMm,
             Acceptance = decision.Acceptance,
             SignificantMm = decision.SignificantMm,
+            IsSignificantTogether = decision.IsSignificantTogether,
             ProbabilityBefore = decision.ProbabilityBefore,
             ProbabilityAfter = ProbabilityAfter(map, predicted),
             ResidualsMm = evaluation.ResidualsMm,

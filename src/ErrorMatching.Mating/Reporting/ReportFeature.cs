@@ -33,6 +33,9 @@ public sealed record ReportFeature
     /// <summary>A deviation up to this size may be the gauge's; null in reports older than decision rules.</summary>
     public double? SignificantMm { get; init; }
 
+    /// <summary>True if no point alone is significant, but what the points have in common is.</summary>
+    public bool IsSignificantTogether { get; init; }
+
     /// <summary>The probability that every point is within its limits without compensation, if their errors are independent; null for
     /// limits without width, and in reports older than decision rules.</summary>
     public double? ProbabilityBefore { get; init; }
@@ -103,6 +106,7 @@ public sealed record ReportFeature
         w.Number("largestMm", LargestMm);
         w.Number("uncertaintyMm", UncertaintyMm);
         w.Number("significantMm", SignificantMm);
+        w.Flag("significantTogether", IsSignificantTogether);
         w.Number("probabilityBefore", ProbabilityBefore);
         w.Number("probabilityAfter", ProbabilityAfter);
         w.Text("decision", ReportWords.Of(Decision));
@@ -144,6 +148,7 @@ public sealed record ReportFeature
             UncertaintyMm = r.Number("uncertaintyMm"),
             Acceptance = r.Names.Contains("acceptanceMm") ? ReadBand(r, "acceptanceMm") : null,
             SignificantMm = r.OptionalNumber("significantMm"),
+            IsSignificantTogether = r.OptionalFlag("significantTogether") ?? false,
             ProbabilityBefore = r.OptionalNumber("probabilityBefore"),
             ProbabilityAfter = r.OptionalNumber("probabilityAfter"),
             ResidualsMm = r.Numbers("residualsMm"),

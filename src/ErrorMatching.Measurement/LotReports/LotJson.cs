@@ -22,6 +22,11 @@ public static class LotJson
             json.Number("noiseUm", piece.NoiseMm * 1000);
             json.Numbers("errorsUm", piece.Values.ErrorsMm.Select(e => e * 1000));
             json.Numbers("correctionsUm", piece.Values.CorrectionsMm.Select(c => c * 1000));
+            if (piece.Values.IsAfterToolChange)
+            {
+                json.Flag("toolChanged", true);
+            }
+
             if (lot is not null)
             {
                 var found = lot.Pieces[k];
@@ -60,7 +65,10 @@ public static class LotJson
         var pieces = json.List("pieces", p => new RecordedPiece(
             p.Text("measuredSha256"),
             p.Micrometers("noiseUm"),
-            new(Mm(p, "errorsUm", points.Count), Mm(p, "correctionsUm", points.Count))));
+            new(Mm(p, "errorsUm", points.Count), Mm(p, "correctionsUm", points.Count))
+            {
+                IsAfterToolChange = p.OptionalFlag("toolChanged") ?? false,
+            }));
         if (points.Count == 0 || pieces.Count == 0)
         {
             throw json.Refusal(points.Count == 0 ? "points" : "pieces", "too-few-items", "at least one");

@@ -48,8 +48,8 @@ public sealed record Lot(
             expected.Add(mean.Expected[0]);
             double[] values = [.. piece.ErrorsMm.Zip(piece.CorrectionsMm, (e, c) => e - c)];
             var level = values.Average();
-            mean.Add([level]);
-            shape?.Add([.. values.Select(v => v - level)]);
+            mean.Add([level], piece.IsAfterToolChange);
+            shape?.Add([.. values.Select(v => v - level)], piece.IsAfterToolChange);
         }
 
         return new(

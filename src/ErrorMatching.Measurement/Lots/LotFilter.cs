@@ -15,6 +15,10 @@ internal sealed class LotFilter
         (LotEvent.Outlier, 60, 0.001),
     ];
 
+    // After a change of the tool that somebody announced, a step is likely, and what looks like an outlier is one.
+    private static readonly (LotEvent Happened, double Deviation, double Probability)[] _afterToolChange =
+        [(LotEvent.Step, 3.2, 0.5), (LotEvent.Step, 20, 0.4)];
+
     // Histories that are followed, and how much less likely than the best one may be: e^-9 is a ten thousandth.
     private const int Most = 8;
     private const double Hopeless = 9;
@@ -57,12 +61,14 @@ internal sealed class LotFilter
 
     /// <summary>Takes the next piece.</summary>
     /// <param name="values">The errors that it would have without corrections, mm.</param>
-    public void Add(double[] values)
+    /// <param name="isAfterToolChange">True if the tool was changed before it.</param>
+    public void Add(double[] values, bool isAfterToolChange = false)
     {
-        LotSurprise ordinary = new(LotEvent.None, 0, 1 - _surprises.Sum(s => s.Probability));
+        var surprises = isAfterToolChange ? _afterToolChange : _surprises;
+        LotSurprise ordinary = new(LotEvent.None, 0, 1 - surprises.Sum(s => s.Probability));
         LotSurprise[] possible = _histories[0].Events.Count == 0
             ? [ordinary with { Probability = 1 }]
-            : [ordinary, .. _surprises.Select(s => new LotSurprise(s.Happened, s.Deviation * s.Deviation * _unit, s.Probability))];
+            : [ordinary, .. surprises.Select(s => new LotSurprise(s.Happened, s.Deviation * s.Deviation * _unit, s.Probability))];
         var next = new List<(LotHistory Before, LotEvidence Evidence)>();
         foreach (var history in _histories)
         {

@@ -4,4 +4,8 @@ namespace ErrorMatching.Measurement;
 /// pieces.</summary>
 /// <param name="ErrorsMm">The errors that it shows, actual minus nominal.</param>
 /// <param name="CorrectionsMm">How far the program that cut it had moved each point; zeros for a nominal program.</param>
-public sealed record LotPiece(IReadOnlyList<double> ErrorsMm, IReadOnlyList<double> CorrectionsMm);
+public sealed record LotPiece(IReadOnlyList<double> ErrorsMm, IReadOnlyList<double> CorrectionsMm)
+{
+    /// <summary>True if somebody said that the tool was changed before this piece, so that the process may have moved.</summary>
+    public bool IsAfterToolChange { get; init; }
+}

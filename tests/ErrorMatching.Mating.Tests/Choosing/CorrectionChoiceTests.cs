@@ -178,9 +178,9 @@ public sealed class CorrectionChoiceTests
         var first = Feedback("1 10 -0.02; 2 40 -0.02", null);
         Assert.Equal(new(7, 0, Toward, 0), first.Correction!.Radius);
 
-        // The second counterpart is as good as the gauge can tell: the correction stays, and the control must have it.
+        // The second counterpart is off by 3 um: the mean of both is corrected, and the control must have the correction before.
         var second = Feedback("1 10 0.003; 2 40 0.003", new("report.json", "", first.Lot!.Pieces) { Offsets = new(Toward, default) });
-        Assert.Equal(new(7, 0, Toward, Toward), second.Correction!.Radius);
+        Assert.Equal(new(7, 0, Toward - 0.002m, Toward), second.Correction!.Radius);
         Assert.Contains("IF[ABS[#502-[0.02]]LT0.0006]", Encoding.ASCII.GetString(second.Correction.Program!), StringComparison.Ordinal);
 
         // A lot that begins anew says nothing of the counterparts before, and still follows the correction before.

@@ -1,3 +1,5 @@
+using ErrorMatching.Testing;
+
 namespace ErrorMatching.Measurement.Tests;
 
 /// <summary>What it costs not to know how a process behaves, against a filter that knows.</summary>

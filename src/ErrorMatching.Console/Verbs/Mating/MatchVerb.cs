@@ -19,6 +19,12 @@ internal sealed class MatchVerb : Verb
         HelpName = "REPORT",
     };
 
+    private readonly Option<bool> _toolChanged = new("--tool-changed")
+    {
+        Description = "With --previous: the tool was changed before the measured counterpart was cut, so what it shows is believed at "
+            + "once.",
+    };
+
     private readonly AssumeOption _assume = new();
     private readonly WishOption _wish = new();
     private readonly CertificateOption _certificate = new();
@@ -40,6 +46,7 @@ internal sealed class MatchVerb : Verb
         Options.Add(_counterpart);
         Options.Add(_program);
         Options.Add(_previous);
+        Options.Add(_toolChanged);
         Options.Add(_assume.Option);
         Options.Add(_out);
         Options.Add(_wish);
@@ -62,6 +69,7 @@ internal sealed class MatchVerb : Verb
                 Counterpart = GivenMeasurement(arguments.GetValue(_counterpart)),
                 Program = GivenFile.At(arguments.GetValue(_program)),
                 Previous = GivenFile.At(arguments.GetValue(_previous)),
+                ToolChanged = arguments.GetValue(_toolChanged),
                 Assumed = _assume.Of(arguments),
                 Folder = folder,
                 ElapsedS = () => clock.Elapsed.TotalSeconds,

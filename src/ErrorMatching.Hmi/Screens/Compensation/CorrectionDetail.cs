@@ -249,7 +249,10 @@ internal sealed class CorrectionDetail
                 texts.With("Decision.MayBeGauge", beyond, Shown.Mm(significant)),
             Decision.NotSignificant => texts.With("Decision.NotSignificant", beyond, Shown.Mm(feature.UncertaintyMm)),
             _ => texts.With(
-                report.Compensation.Amount == CompensationAmount.Whole ? "Decision.FollowsWhole" : "Decision.FollowsExcess", beyond),
+                report.Compensation.Amount == CompensationAmount.Whole ? "Decision.FollowsWhole" : "Decision.FollowsExcess",
+                feature is { IsSignificantTogether: true, SignificantMm: { } each }
+                    ? texts.With("Decision.Together", beyond, Shown.Mm(each))
+                    : beyond),
         };
         return new(
             $"{feature.Name} · {texts["Kind." + feature.Kind.Word]}",

@@ -27,10 +27,15 @@ internal static class DecisionReason
                     + $"{ReportNumber.Fine(UncertaintyBudget.CoverageFactor * feature.UncertaintyMm)} mm, "
                     + $"{ReportNumber.Short(UncertaintyBudget.CoverageFactor)} times its uncertainty: it may be the gauge's.",
             _ =>
-                $"{beyond} The counterpart follows "
+                $"{beyond}{Together(feature)} The counterpart follows "
                     + $"{(report.Compensation.Amount == CompensationAmount.Whole ? "the whole deviation" : "what lies beyond the limit")}.",
         };
     }
+
+    private static string Together(ReportFeature feature) => feature is { IsSignificantTogether: true, SignificantMm: { } significant }
+        ? $" None is off by more than {ReportNumber.Fine(significant)} mm, but together they are off by more than the gauge may show on a "
+            + "perfect part."
+        : "";
 
     private static string Risk(ReportFeature feature) =>
         RuleWords.Risk(feature) is { } risk ? $" Risk that one lies outside the limits all the same: {risk}." : "";

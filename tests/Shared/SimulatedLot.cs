@@ -1,4 +1,4 @@
-namespace ErrorMatching.Measurement.Tests;
+namespace ErrorMatching.Testing;
 
 /// <summary>A lot whose truth is known: 100 pieces with one measured value each, in micrometers.</summary>
 internal sealed class SimulatedLot
