@@ -115,7 +115,7 @@ internal static class Significance
             before.Add(weights);
             var shared = weights.Sum() * sharedMm;
             sums.Add(weights.Zip(points, (w, p) => w * p.Mm).Sum()
-                / Math.Max(Math.Sqrt(Math.Max(0, (u * u) - (sharedMm * sharedMm)) + (shared * shared)), DeviationField.LeastUncertaintyMm));
+                / Math.Max(Math.Sqrt(Math.Max(0, (u * u) - (sharedMm * sharedMm)) + (shared * shared)), UncertaintyBudget.LeastMm));
         }
 
         return sums;

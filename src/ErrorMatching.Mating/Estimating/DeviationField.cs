@@ -7,8 +7,8 @@ namespace ErrorMatching.Mating;
 /// <remarks>Rasmussen and Williams (2006), equations 2.25, 2.26 and 2.30.</remarks>
 internal sealed class DeviationField
 {
-    /// <summary>Smallest standard uncertainty that is calculated with, mm: a hundredth of what a word of a program can say.</summary>
-    public const double LeastUncertaintyMm = 0.00001;
+    /// <summary>Smallest standard uncertainty that is calculated with, mm.</summary>
+    public const double LeastUncertaintyMm = UncertaintyBudget.LeastMm;
 
     private readonly IReadOnlyList<DeviationPrior> _priors;
     private readonly IReadOnlyList<BoundaryRow> _rows;

@@ -7,6 +7,9 @@ public sealed record UncertaintyBudget(IReadOnlyList<UncertaintyContribution> Co
     /// <summary>Coverage factor k of the expanded uncertainty: 2, about 95 % of normally distributed errors.</summary>
     internal const double CoverageFactor = 2;
 
+    /// <summary>Smallest standard uncertainty that is calculated with, mm: a hundredth of what a word of a program can say.</summary>
+    internal const double LeastMm = 0.00001;
+
     /// <summary>Root sum of squares of all contributions.</summary>
     public double CombinedMm => Math.Sqrt(Contributions.Sum(c => c.ValueMm * c.ValueMm));
 

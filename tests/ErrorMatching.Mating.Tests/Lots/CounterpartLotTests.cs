@@ -81,10 +81,11 @@ public sealed class CounterpartLotTests(ITestOutputHelper output)
 
         static MatchResult Second(string part)
         {
-            var first = (Case("1 5 0.0001; 2 15 -0.0002; 3 25 0; 4 35 0.0001; 5 45 0.0003", Programs.ToolAbove) with { Part = part }).Input;
-            var lot = Matcher.Match(first).Result!.Lot!.Pieces;
+            var first = Case("1 5 0.0001; 2 15 -0.0002; 3 25 0; 4 35 0.0001; 5 45 0.0003", Programs.ToolAbove) with { Part = part };
+            var lot = Matcher.Match(first.Input).Result!.Lot!.Pieces;
             var second = Case("1 5 -0.0001; 2 15 0.0002; 3 25 0.0002; 4 35 0; 5 45 0.0001", Programs.ToolAbove) with { Part = part };
-            return Matcher.Match(second.Input with { Previous = new("report.json", "", lot with { CorrectionsMm = new double[5] }) }).Result!;
+            var previous = new PreviousMatch("report.json", "", lot with { CorrectionsMm = new double[5] });
+            return Matcher.Match(second.Input with { Previous = previous }).Result!;
         }
     }
 
