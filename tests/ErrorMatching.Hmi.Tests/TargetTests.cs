@@ -282,11 +282,14 @@ public sealed class TargetTests
             {
                 Texts.Current.Language = language;
 
-                // The figures of a surface are put into words in the background, and may take another line.
+                // The figures of a surface, and what a correction warns of, are put into words in the background. Other words take other room.
                 seat.WaitFor(
-                    () => seat.Find("surface-verdict") is null
-                        || seat.TextOf("surface-verdict")!.Any(c => c >= '\u4E00') == (language == Language.TraditionalChinese),
+                    () => seat.Find("surface-verdict") is null || IsIn(language, seat.TextOf("surface-verdict")!),
                     "The surface stays in another language.");
+                seat.WaitFor(
+                    () => seat.Find("detail-warnings") is not { IsEffectivelyVisible: true } warnings
+                        || IsIn(language, AutomationProperties.GetName(warnings) ?? ""),
+                    "The correction stays in another language.");
                 Show(seat, calm, null);
                 var before = Targets(seat);
                 Assert.NotEmpty(before);
@@ -307,6 +310,9 @@ public sealed class TargetTests
         Texts.Current.Language = Language.English;
         seat.User.Settle();
     }
+
+    private static bool IsIn(Language language, string text) =>
+        text.Any(c => c >= '\u4E00') == (language == Language.TraditionalChinese);
 
     private static IEnumerable<(string Name, StationState State, string? Notice)> Messages(StationState calm)
     {
