@@ -282,7 +282,8 @@ public sealed class TargetTests
             {
                 Texts.Current.Language = language;
 
-                // The figures of a surface, and what a correction warns of, are put into words in the background. Other words take other room.
+                // The figures of a surface, and what a correction warns of, are put into words in the background, and other words take
+                // other room.
                 seat.WaitFor(
                     () => seat.Find("surface-verdict") is null || IsIn(language, seat.TextOf("surface-verdict")!),
                     "The surface stays in another language.");

@@ -23,7 +23,7 @@ public sealed record CorrectionChoice(
     /// <summary>The error that is expected of the offset; null for blocks, and in reports of earlier versions.</summary>
     public ExpectedError? Expected { get; init; }
 
-    /// <summary>The error that would be expected of blocks; null in the same cases.</summary>
+    /// <summary>The error that would be expected of blocks; null in the same cases, and where blocks cannot follow.</summary>
     public ExpectedError? ExpectedByBlocks { get; init; }
 
     /// <summary>The program that takes this correction back: the offsets are then as before it, in feed-forward without a correction. Null

@@ -27,6 +27,9 @@ internal sealed class OffsetChooser
     private readonly double[] _byBlocks;
     private readonly double[] _way;
     private readonly Causes _causes;
+    private readonly bool _canBeBlocks;
+
+    // Of a boundary that is right, where blocks cannot follow.
     private readonly ExpectedError _ofBlocks;
     private readonly List<KindRefused> _refused = [];
     private readonly OffsetUse _use;
@@ -65,7 +68,7 @@ internal sealed class OffsetChooser
                 : job.Compensation.Amount == CompensationAmount.Whole ? -job.Compensation.Gain * _now[k]
                 : _byBlocks[k] - _now[k])];
         _causes = new(_places, _way, decision.Features[0].StandardUncertaintyMm);
-        _ofBlocks = Expected(_byBlocks);
+        (_canBeBlocks, _ofBlocks) = (blocks is not null, Expected(_byBlocks));
     }
 
     /// <summary>The cuts of each run by the chosen offset; null if none is chosen.</summary>
@@ -320,7 +323,7 @@ internal sealed class OffsetChooser
             Program(radius, work))
         {
             Expected = tried?.Expected,
-            ExpectedByBlocks = tried is null ? null : _ofBlocks,
+            ExpectedByBlocks = tried is null || !_canBeBlocks ? null : _ofBlocks,
 
             // Back to the offsets before, which in feed-forward are none, whatever the control has of the piece before.
             Undo = Program(

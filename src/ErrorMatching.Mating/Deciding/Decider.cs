@@ -62,7 +62,7 @@ internal static class Decider
         for (var i = 0; i < job.Features.Count; i++)
         {
             var feature = job.Features[i];
-            features.Add(Decide(feature, acceptance[i], points[i], job.Compensation, u, significant, together[i]));
+            features.Add(Decide(feature, acceptance[i], points[i], job.Compensation, u, significant, alone[i], together[i]));
             if (Micrometers(feature, i, features[i].LargestMm, u) is { } micrometers)
             {
                 refusals.Add(micrometers);
@@ -107,10 +107,10 @@ internal static class Decider
         JobCompensation compensation,
         double u,
         double significant,
+        bool isAlone,
         bool isTogether)
     {
         var outside = points.Where(p => !acceptance.Contains(p.NormalMm)).ToArray();
-        var isAlone = outside.Any(p => Math.Abs(p.FollowedMm) > significant);
         var decision = outside.Length == 0 ? Decision.WithinTolerance
             : isAlone || isTogether ? Decision.Compensated
             : Decision.NotSignificant;

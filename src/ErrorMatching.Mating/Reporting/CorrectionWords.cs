@@ -36,17 +36,18 @@ public static class CorrectionWords
 
         if (correction.Choice.IsOffset)
         {
-            var expected = correction.Choice is { Expected: { } own, ExpectedByBlocks: { } blocks }
-                ? string.Create(
-                    CultureInfo.InvariantCulture,
-                    $"an error of {own.RmsMm:0.0000} mm (rms), {own.LargestMm:0.0000} at the worst place, is expected; by blocks "
-                        + $"{blocks.RmsMm:0.0000} and {blocks.LargestMm:0.0000}")
+            var (choice, blocks) = (correction.Choice, correction.Choice.ExpectedByBlocks);
+            var expected = choice.Expected is { } own
+                ? $"an error of {Of(own)} is expected; {(blocks is null ? "blocks cannot follow" : $"by blocks {Of(blocks)}")}"
                 : string.Create(
                     CultureInfo.InvariantCulture,
-                    $"the boundary is nowhere more than {correction.Choice.DifferenceMm:0.0000} mm from where blocks would bring it");
+                    $"the boundary is nowhere more than {choice.DifferenceMm:0.0000} mm from where blocks would bring it");
             yield return $"By {Name(correction.Choice.Kind!.Value)}: {expected}.";
         }
     }
+
+    private static string Of(ExpectedError error) => string.Create(
+        CultureInfo.InvariantCulture, $"{error.RmsMm:0.0000} mm (rms) and {error.LargestMm:0.0000} at the worst place");
 
     private static bool IsNothing(ReportCorrection correction) =>
         correction.Totals == OffsetTotals.None;

@@ -205,7 +205,13 @@ public sealed class CorrectionChoiceTests
         // A corner that the control rounds itself.
         var rounded = Case(All, MayMove) with { Program = Line.Replace("N50 X50.", "N50 X50. ,R3.\nN60 Y-20.", StringComparison.Ordinal) };
         Assert.Equal("corner-word", (rounded with { More = "" }).Refusal().Code);
-        Assert.Equal(CorrectionKind.ToolWear, rounded.Match().Correction!.Kind);
+        var match = rounded.Match();
+        Assert.Equal(CorrectionKind.ToolWear, match.Correction!.Kind);
+
+        // What blocks would leave is not said of blocks that cannot be.
+        Assert.Null(match.Correction.ExpectedByBlocks);
+        var why = CorrectionWords.Why(MatchReporter.Report(match, "out/a.nc", null).Correction!).Last();
+        Assert.Contains("blocks cannot follow", why, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -74,6 +74,12 @@ public sealed class CounterpartLotTests(ITestOutputHelper output)
         Assert.Equal(Decision.NotSignificant, outcome.Decision.Features[0].Decision);
         Assert.All(outcome.Decision.Features[0].Points, p => Assert.InRange(Math.Abs(p.Point.FollowedMm), 0, 0.0005));
 
+        // Its points are off by more than what is worth a correction: the report must not say the opposite.
+        Assert.Contains(outcome.Decision.Features[0].Points, p => Math.Abs(p.Point.NormalMm) > outcome.Decision.Features[0].SignificantMm);
+        var page = System.Text.Encoding.UTF8.GetString(MatchReportHtml.Write(MatchReporter.Report(outcome, "out/counterpart.nc", null)));
+        Assert.Contains("what the counterparts so far say of the next one", page, StringComparison.Ordinal);
+        Assert.DoesNotContain("But none lies more than", page, StringComparison.Ordinal);
+
         // Five points that are off by 4 u are: no part without an error shows that.
         var off = Second("1 5 0.004; 2 15 0.004; 3 25 0.004; 4 35 0.004; 5 45 0.004");
         Assert.Equal(Decision.Compensated, off.Decision.Features[0].Decision);

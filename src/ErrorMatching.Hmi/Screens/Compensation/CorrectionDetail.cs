@@ -245,6 +245,8 @@ internal sealed class CorrectionDetail
         var reason = feature.Decision switch
         {
             Decision.WithinTolerance => texts.With("Decision.Within", Shown.SignedMm(accepted.LowerMm), Shown.SignedMm(accepted.UpperMm)),
+            Decision.NotSignificant when report.Lot?.Next is not null && feature.SignificantMm is { } worth =>
+                texts.With("Decision.OfLot", beyond, Shown.Mm(worth)),
             Decision.NotSignificant when feature.SignificantMm is { } significant =>
                 texts.With("Decision.MayBeGauge", beyond, Shown.Mm(significant)),
             Decision.NotSignificant => texts.With("Decision.NotSignificant", beyond, Shown.Mm(feature.UncertaintyMm)),

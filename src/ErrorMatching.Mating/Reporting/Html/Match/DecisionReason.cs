@@ -19,6 +19,9 @@ internal static class DecisionReason
         {
             Decision.WithinTolerance =>
                 $"Every point lies between {ReportNumber.Signed(band.LowerMm)} and {ReportNumber.SignedMm(band.UpperMm)}." + Risk(feature),
+            Decision.NotSignificant when report.Lot?.Next is not null && feature.SignificantMm is { } worth =>
+                $"{beyond} But what the counterparts so far say of the next one is off by no more than {ReportNumber.Fine(worth)} mm, and "
+                    + "correcting that gains next to nothing. What else the part shows may be its measurement's." + Risk(feature),
             Decision.NotSignificant when feature.SignificantMm is { } significant =>
                 $"{beyond} But none lies more than {ReportNumber.Fine(significant)} mm off, which the gauge may show on a perfect part."
                     + Risk(feature),
@@ -33,7 +36,7 @@ internal static class DecisionReason
     }
 
     private static string Together(ReportFeature feature) => feature is { IsSignificantTogether: true, SignificantMm: { } significant }
-        ? $" None is off by more than {ReportNumber.Fine(significant)} mm, but together they are off by more than the gauge may show on a "
+        ? $" None of them is off by more than {ReportNumber.Fine(significant)} mm, but together they are off by more than the gauge may show on a "
             + "perfect part."
         : "";
 
