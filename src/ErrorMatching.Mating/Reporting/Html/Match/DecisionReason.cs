@@ -36,8 +36,8 @@ internal static class DecisionReason
     }
 
     private static string Together(ReportFeature feature) => feature is { IsSignificantTogether: true, SignificantMm: { } significant }
-        ? $" None of them is off by more than {ReportNumber.Fine(significant)} mm, but together they are off by more than the gauge may show on a "
-            + "perfect part."
+        ? $" None of them is off by more than {ReportNumber.Fine(significant)} mm, but together they are off by more than the gauge may "
+            + "show on a perfect part."
         : "";
 
     private static string Risk(ReportFeature feature) =>
