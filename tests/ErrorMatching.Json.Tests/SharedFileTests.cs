@@ -95,4 +95,47 @@ public sealed class SharedFileTests
         Assert.SkipUnless(OperatingSystem.IsLinux(), "Only Linux has such files.");
         Assert.NotEmpty(SharedFile.ReadAllBytes("/proc/self/status"));
     }
+
+    // As a shell makes one of "--program <(...)".
+    [Fact]
+    public async Task A_pipe_is_read_to_its_end_and_not_beyond_a_limit()
+    {
+        Assert.SkipUnless(OperatingSystem.IsLinux(), "Windows has no pipes in folders.");
+        using var folder = new TemporaryFolder();
+        var pipe = folder["pipe"];
+        using (var make = System.Diagnostics.Process.Start("mkfifo", pipe))
+        {
+            await make.WaitForExitAsync(TestContext.Current.CancellationToken);
+            Assert.Equal(0, make.ExitCode);
+        }
+
+        // More than a pipe holds at once.
+        byte[] sent = [.. Enumerable.Range(0, 200_000).Select(i => (byte)i)];
+        Assert.Equal(sent, await Through(SharedFile.ReadAllBytes));
+        Assert.Equal(sent, await Through(path => SharedFile.ReadAllBytes(path, sent.Length)));
+        await Assert.ThrowsAsync<IOException>(() => Through(path => SharedFile.ReadAllBytes(path, sent.Length - 1)));
+
+        async Task<byte[]> Through(Func<string, byte[]> read)
+        {
+            var writing = Task.Run(() =>
+            {
+                try
+                {
+                    File.WriteAllBytes(pipe, sent);
+                }
+                catch (IOException)
+                {
+                    // Whoever reads no further closes the pipe; what was read is looked at.
+                }
+            });
+            try
+            {
+                return await Task.Run(() => read(pipe));
+            }
+            finally
+            {
+                await writing;
+            }
+        }
+    }
 }

@@ -137,6 +137,29 @@ public class BadInputTests
         Assert.Single(Text.Read(Header + "A,1,2\n", Text.Format("""{ "maxBytes": 22 }""")).Points);
     }
 
+    // A file of 300 MB that has no content on the disk.
+    [Fact]
+    public void A_file_that_is_too_large_is_not_read()
+    {
+        var path = Path.Combine(Path.GetTempPath(), Path.GetRandomFileName());
+        try
+        {
+            using (var file = File.Create(path))
+            {
+                file.SetLength(300 << 20);
+            }
+
+            var before = GC.GetAllocatedBytesForCurrentThread();
+            var error = Assert.Throws<InputException>(() => MeasurementReader.Read(path, MeasurementFormat.Points));
+            Assert.Equal(MeasurementError.FileTooLarge, error.Code);
+            Assert.InRange(GC.GetAllocatedBytesForCurrentThread() - before, 0, 1 << 20);
+        }
+        finally
+        {
+            File.Delete(path);
+        }
+    }
+
     [Fact]
     public void Too_many_points_are_refused_at_the_first_above_the_limit()
     {

@@ -11,6 +11,11 @@ internal static class FileBytes
         try
         {
             using var stream = SharedFile.OpenRead(path, FileShare.ReadWrite | FileShare.Delete);
+            if (stream.CanSeek)
+            {
+                ThrowIfTooLarge(path, stream.Length, maxBytes);
+            }
+
             // A pipe has no length, and a file may grow while it is read. One byte more than allowed is read to detect this.
             var buffer = new byte[stream.CanSeek ? (int)Math.Min(stream.Length, maxBytes) + 1 : 4096];
             var count = 0;
@@ -40,7 +45,7 @@ internal static class FileBytes
         }
     }
 
-    public static void ThrowIfTooLarge(string file, int count, int maxBytes)
+    public static void ThrowIfTooLarge(string file, long count, int maxBytes)
     {
         if (count > maxBytes)
         {

@@ -10,7 +10,6 @@ public sealed class CounterpartLotTests(ITestOutputHelper output)
 
     // The machine scatters from piece to piece by more than the gauge.
     private const double ScatterMm = 0.003;
-    private static readonly double[] _x = [5, 15, 25, 35, 45];
 
     [Fact]
     public void What_is_left_falls_below_the_scatter_of_one_counterpart()
@@ -164,28 +163,12 @@ public sealed class CounterpartLotTests(ITestOutputHelper output)
     {
         var random = new Random(seed);
         var made = new List<(MatchResult Match, double LeftMm, double Now)>();
-        var program = Programs.ToolAbove;
+        var series = new CounterpartSeries(U, goesOn);
         for (var k = 0; k < pieces; k++)
         {
-            var now = made.Count == 0 ? 0 : made[^1].Now;
-            var shift = now + process(k) + (scatterMm * Noise(random));
-            var measured = string.Join("; ", _x.Select(
-                (x, i) => FormattableString.Invariant($"{i + 1} {x} {shift + (U * Noise(random)):R}")));
-            var input = Case(measured, program).Input;
-            var outcome = Matcher.Match(
-                input with
-                {
-                    Previous = goesOn && made.Count > 0 ? new("report.json", "", made[^1].Match.Lot!.Pieces) : null,
-                    ToolChanged = k == toolChangedAt,
-                });
-            Assert.True(outcome.Result is not null, string.Join('\n', outcome.Refusals));
-            var match = outcome.Result;
-            program = System.Text.Encoding.Latin1.GetString(match.Program.Span);
-
-            // Where the new program has the middle of the line, from its words.
-            var line = match.After.Motions[match.Maps[0].Passes[0].Feet[2].Motion];
-            var at = ((line.Start.Y + line.End.Y) / 2) - 3;
-            made.Add((match, at + process(k + 1), at));
+            var shift = series.NowMm + process(k) + (scatterMm * Noise(random));
+            var match = series.Measure(_ => shift + (U * Noise(random)), toolChanged: k == toolChangedAt);
+            made.Add((match, series.NowMm + process(k + 1), series.NowMm));
         }
 
         return made;
@@ -193,17 +176,9 @@ public sealed class CounterpartLotTests(ITestOutputHelper output)
 
     private static double Cost(List<(MatchResult Match, double LeftMm, double Now)> made) => made.Skip(4).Sum(m => m.LeftMm * m.LeftMm);
 
-    private static string Line(double y) => string.Join("; ", _x.Select((x, i) => FormattableString.Invariant($"{i + 1} {x} {y}")));
+    private static string Line(double y) => CounterpartSeries.Line(_ => y);
 
-    private static MatchCase Case(string counterpart, string program) => new(program)
-    {
-        Theoretical = Line(0),
-        Part = Line(0),
-        Counterpart = counterpart,
-        Features = [MatchCase.Feature("line", "L1", "N50", """["1", "2", "3", "4", "5"]""")],
-        Compensation = """{ "from": "counterpart", "limitMm": 1 }""",
-        Gauge = """ "uncertaintyMm": 0.001 """,
-    };
+    private static MatchCase Case(string counterpart, string program) => CounterpartSeries.Case(counterpart, program, U);
 
     private static double Noise(Random random) =>
         Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());

@@ -1,4 +1,3 @@
-using System.Text;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Mating.Tests;
@@ -11,7 +10,6 @@ public sealed class LotThroughMatchTests(ITestOutputHelper output)
 
     // A single lot may be unlucky.
     private static readonly double Luck = Lots == 1 ? 0.1 : 0;
-    private static readonly double[] _x = [5, 15, 25, 35, 45];
 
     // The squares of what the pieces show, the noise included, as in the costs of the estimate alone.
     [Theory]
@@ -34,36 +32,17 @@ public sealed class LotThroughMatchTests(ITestOutputHelper output)
         Assert.InRange(cost / known, 0.9, most + Luck);
     }
 
-    // What the program corrects at each piece, in micrometers.
+    // What the program corrects at each piece, in micrometers. The machine scatters from piece to piece, and so all points alike.
     private static double[] Corrections(SimulatedLot lot)
     {
-        var (corrected, now, program, previous) = (new double[SimulatedLot.Pieces], 0.0, Programs.ToolAbove, (PreviousMatch?)null);
+        var series = new CounterpartSeries(SimulatedLot.U / 1000);
+        var corrected = new double[SimulatedLot.Pieces];
         for (var k = 0; k < corrected.Length; k++)
         {
-            corrected[k] = -now;
-
-            // The machine scatters from piece to piece, and so all points alike.
-            var outcome = Matcher.Match(Case(Line((lot.Shown[k] + now) / 1000), program).Input with { Previous = previous });
-            Assert.True(outcome.Result is not null, string.Join('\n', outcome.Refusals));
-            var match = outcome.Result;
-            previous = new("report.json", "", match.Lot!.Pieces);
-            program = Encoding.Latin1.GetString(match.Program.Span);
-            var line = match.After.Motions[match.Maps[0].Passes[0].Feet[2].Motion];
-            now = 1000 * (((line.Start.Y + line.End.Y) / 2) - 3);
+            corrected[k] = -1000 * series.NowMm;
+            series.Measure(_ => (lot.Shown[k] / 1000) + series.NowMm);
         }
 
         return corrected;
     }
-
-    private static string Line(double y) => string.Join("; ", _x.Select((x, i) => FormattableString.Invariant($"{i + 1} {x} {y:R}")));
-
-    private static MatchCase Case(string counterpart, string program) => new(program)
-    {
-        Theoretical = Line(0),
-        Part = Line(0),
-        Counterpart = counterpart,
-        Features = [MatchCase.Feature("line", "L1", "N50", """["1", "2", "3", "4", "5"]""")],
-        Compensation = """{ "from": "counterpart", "limitMm": 1 }""",
-        Gauge = FormattableString.Invariant($""" "uncertaintyMm": {SimulatedLot.U / 1000} """),
-    };
 }
