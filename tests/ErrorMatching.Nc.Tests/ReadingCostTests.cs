@@ -52,7 +52,6 @@ public class ReadingCostTests
     [InlineData("fanuc", "", "%\n", "")]
     [InlineData("fanuc", "", "IF[#5061EQ0]THEN#3000=1\n", "")]
     [InlineData("linuxcnc", "", "#<v§>=1\nG92 X0\n", "")]
-    [InlineData("linuxcnc", "", "#<v§>=1\nG54\n", "")]
     [InlineData("okuma-osp", "", "%\n", "")]
     [InlineData("okuma-osp", "", "(()", "")]
     [InlineData("okuma-osp", "N10 M98 ", "O1", "\n")]
