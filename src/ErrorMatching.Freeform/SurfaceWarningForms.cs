@@ -58,6 +58,33 @@ public static class SurfaceWarningForms
         "What every smooth model leaves of the errors has a structure: the compensation follows each point, and so the noise of each. "
             + "Measure the piece again, or more points.");
 
+    /// <summary>Number of points, and the stated uncertainty of one in um.</summary>
+    public static SentenceForm FollowsFewPoints { get; } = new(
+        "follows-each-of-few",
+        "{0} points do not show what is noise; only the stated uncertainty of a point does ({1} µm), and a smooth model leaves more: the "
+            + "compensation follows each point. If points repeat less well than that, state measuring.uncertaintyMm. Or measure 30 points "
+            + "or more.");
+
+    /// <summary>Mean difference of left-out points and expected uncertainty at a point, in um.</summary>
+    public static SentenceForm TooFarApart { get; } = new(
+        "points-too-far-apart",
+        "The error changes too much from point to point for the points to hold it: where a line of points is left out, the error fitted "
+            + "without it is {0} µm off in the mean, and {1} µm are expected at the points. As much may be left between them. Measure "
+            + "more points: at least three for each wave.");
+
+    /// <summary>Number of points for each wave.</summary>
+    public static SentenceForm FewForWave { get; } = new(
+        "few-points-for-wave",
+        "The points hold {0} points for each wave of the error: with so few of them, another wave, even a shorter one, would look the "
+            + "same at the points, and leave its height between them. Measure more points: at least three for each wave.");
+
+    /// <summary>Shift in X, Y, Z in mm, turn about them in degrees, share in percent, the largest movement of a point and the one that is
+    /// expected of a piece, in mm.</summary>
+    public static SentenceForm CheckOrigin { get; } = new(
+        "check-origin",
+        "One motion of the whole piece (x {0}, y {1}, z {2} mm; turned by {3}°, {4}°, {5}° about X, Y, Z) explains {6} % of what was "
+            + "measured, and moves a point by {7} mm, more than {8} mm: is the origin right? If it is, the compensation is, too.");
+
     /// <summary>Probability of noise with its sign of equality, and the compensated mean in um.</summary>
     public static SentenceForm OnlyMean { get; } = new(
         "noise-but-mean",
@@ -87,7 +114,7 @@ public static class SurfaceWarningForms
     public static IReadOnlyList<SentenceForm> All { get; } =
         [
             NoToolCall, OutOfOrder, PointOff, PointsOff, OtherStages, RepeatOutlier, RepeatsDiffer, StructureUnknown,
-            FollowsEachPoint, OnlyMean, OnlyNoise, WorseBetween, FollowsTheError,
+            FollowsEachPoint, FollowsFewPoints, TooFarApart, FewForWave, CheckOrigin, OnlyMean, OnlyNoise, WorseBetween, FollowsTheError,
         ];
 
     /// <summary>The warning as a statement; its sentence as words if its code has no form.</summary>

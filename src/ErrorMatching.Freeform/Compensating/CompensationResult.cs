@@ -15,6 +15,10 @@ public sealed record CompensationResult
     /// <summary>The alignment of the points to the surface; null if they were not moved.</summary>
     public required SurfaceAlignment? Alignment { get; init; }
 
+    /// <summary>The motion of the whole piece that explains the most of the errors; null if the points do not tell it, or were
+    /// aligned.</summary>
+    public required SurfaceMotion? Motion { get; init; }
+
     /// <summary>The error at each measured point; the mean if the point was measured several times.</summary>
     public required IReadOnlyList<ErrorSample> Samples { get; init; }
 

@@ -42,22 +42,36 @@ public static class Compensator
         var (alignment, samples) = (all[^1].Alignment, all[^1].Samples);
         var measured = samples;
         var before = DeviationStatistics.Of([.. samples.Select(s => s.ErrorMm)]);
+        var uncertainty = job.Measuring.UncertaintyMm / Math.Sqrt(input.Measured.Count);
+        var motion = alignment is null ? SurfaceMotion.Of(measured, uncertainty, job.CommonMotionMm) : null;
+        if (motion is { AsksForOrigin: true })
+        {
+            warnings.Add(ReportWarning.Of(SurfaceWarningForms.CheckOrigin, motion.Values));
+        }
+
+        if (samples.Count < FewPoints.LeastToContradict)
+        {
+            notes.Add($"{samples.Count.ToString(CultureInfo.InvariantCulture)} points cannot contradict each other: a bad touch would "
+                + "not be found.");
+        }
+
         if (Follow(input, all, out var pieces) is { } notOfLot)
         {
             return notOfLot;
         }
 
-        var lot = pieces?.Estimate(job.Measuring.UncertaintyMm / Math.Sqrt(input.Measured.Count));
+        var lot = pieces?.Estimate(uncertainty);
         if (lot is not null)
         {
             samples = [.. samples.Zip(lot.ExpectedMm, (s, mm) => s with { ErrorMm = mm })];
+            uncertainty = Math.Max(uncertainty, Math.Sqrt(lot.UncertaintyMm.Average(u => u * u)));
             warnings.AddRange(LotWords.Warnings(lot).Select(w => ReportWarning.Of(w.Form, w.Values)));
             notes.AddRange(LotWords.Notes(lot));
         }
 
         var statistics = lot is null ? before : DeviationStatistics.Of([.. samples.Select(s => s.ErrorMm)]);
-        var structure = SpatialStructure.Of(samples);
-        var systematic = Systematic(job, samples, statistics, structure, notes, warnings);
+        var structure = SpatialStructure.Of(samples, uncertainty);
+        var systematic = Systematic(job, samples, statistics, structure, uncertainty, warnings);
         // If only noise was found, the significance of the mean has already been decided.
         var mean = systematic as ConstantField
             ?? new ConstantField(statistics.MeanMm, statistics.StandardDeviationMm / Math.Sqrt(samples.Count));
@@ -84,6 +98,7 @@ public static class Compensator
         {
             Input = input,
             Alignment = alignment,
+            Motion = motion,
             Samples = measured,
             Expected = samples,
             Lot = lot,
@@ -114,12 +129,15 @@ public static class Compensator
         if (systematic is FittedField { LeaveLineOutMm: > RidgeMm } fitted
             && fitted.LeaveLineOutMm > FarMore * result.Mirror.PointUncertaintyMm)
         {
-            notes.Add(string.Create(
-                CultureInfo.InvariantCulture,
-                $"Where a line of points is left out, the error fitted without it is {fitted.LeaveLineOutMm * 1000:0.00} µm off in the "
-                    + $"mean, and {result.Mirror.PointUncertaintyMm * 1000:0.00} µm are expected at the points: the error changes much "
-                        + $"from "
-                    + $"one to the next, and between them more may be left. Measure more points to know."));
+            warnings.Add(ReportWarning.Of(
+                SurfaceWarningForms.TooFarApart, Um(fitted.LeaveLineOutMm), Um(result.Mirror.PointUncertaintyMm)));
+        }
+
+        // Many points still tell such waves apart, because they are not equally spaced.
+        if (samples.Count < FewPoints.Enough && systematic is FittedField { PointsPerWave: < FewPoints.LeastPerWave } wave)
+        {
+            warnings.Add(ReportWarning.Of(
+                SurfaceWarningForms.FewForWave, wave.PointsPerWave.ToString("0.0", CultureInfo.InvariantCulture)));
         }
 
         return result.ThroughPoints is null
@@ -204,7 +222,7 @@ public static class Compensator
         IReadOnlyList<ErrorSample> samples,
         DeviationStatistics statistics,
         SpatialStructure structure,
-        List<string> notes,
+        double uncertaintyMm,
         List<ReportWarning> warnings)
     {
         if (structure.Verdict != SpatialVerdict.Noise)
@@ -215,10 +233,16 @@ public static class Compensator
                     ReportWarning.Of(SurfaceWarningForms.StructureUnknown, samples.Count.ToString(CultureInfo.InvariantCulture)));
             }
 
-            var field = ErrorFit.Of(job, samples);
+            var field = ErrorFit.Of(job, samples, uncertaintyMm);
             if (field is FittedField { Kind: FieldModelKind.Interpolant })
             {
-                warnings.Add(ReportWarning.Of(SurfaceWarningForms.FollowsEachPoint));
+                warnings.Add(
+                    samples.Count < FewPoints.Enough
+                        ? ReportWarning.Of(
+                            SurfaceWarningForms.FollowsFewPoints,
+                            samples.Count.ToString(CultureInfo.InvariantCulture),
+                            (1000 * uncertaintyMm).ToString("0.###", CultureInfo.InvariantCulture))
+                        : ReportWarning.Of(SurfaceWarningForms.FollowsEachPoint));
             }
 
             return field;

@@ -4,9 +4,12 @@ namespace ErrorMatching.Freeform;
 internal static class ErrorFit
 {
     /// <summary>Fits the field by the best method, or fits the error over (u, v) by one of the paper's surface methods.</summary>
-    public static ErrorField Of(FreeformJob job, IReadOnlyList<ErrorSample> samples)
+    /// <param name="job">The job.</param>
+    /// <param name="samples">The errors.</param>
+    /// <param name="uncertaintyMm">Standard uncertainty of one of them.</param>
+    public static ErrorField Of(FreeformJob job, IReadOnlyList<ErrorSample> samples, double uncertaintyMm)
     {
-        var best = FieldFit.Fit(samples, job.Measuring.UncertaintyMm);
+        var best = FieldFit.Fit(samples, uncertaintyMm);
         if (job.Fit.Method == FitMethod.Best || !job.Fit.OfError)
         {
             return best;

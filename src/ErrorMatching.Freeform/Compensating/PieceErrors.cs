@@ -41,7 +41,7 @@ internal sealed record PieceErrors(string Sha256, SurfaceAlignment? Alignment, I
             return refusal;
         }
 
-        return Outlying(samples, repeats, measured) is { } outlying
+        return Outlying(samples, repeats, measured, job.Measuring.UncertaintyMm) is { } outlying
             ? outlying
             : new PieceErrors(MeasuredPoints.Sha256Of(measured), alignment, samples);
     }
@@ -98,9 +98,12 @@ internal sealed record PieceErrors(string Sha256, SurfaceAlignment? Alignment, I
 
     // Checked before fitting: neither fit nor noise test can tell a bad touch from a surface error, and it would be cut into the piece.
     private static Refusal? Outlying(
-        IReadOnlyList<ErrorSample> samples, IReadOnlyList<ErrorSample>[] repeats, IReadOnlyList<MeasuredPoints> measured)
+        IReadOnlyList<ErrorSample> samples,
+        IReadOnlyList<ErrorSample>[] repeats,
+        IReadOnlyList<MeasuredPoints> measured,
+        double uncertaintyMm)
     {
-        var points = OutlyingPoints.Of(samples);
+        var points = OutlyingPoints.Of(samples, uncertaintyMm / Math.Sqrt(repeats.Length));
         if (points.Count == 0)
         {
             return null;

@@ -75,7 +75,7 @@ public sealed record SurfaceEvaluation(IReadOnlyList<EvaluatedPiece> Pieces, Dev
             alignment,
             samples,
             DeviationStatistics.Of([.. samples.Select(s => s.ErrorMm)]),
-            [.. piece.Warnings, .. Outlying(piece, samples)])
+            [.. piece.Warnings, .. Outlying(piece, samples, job.Measuring.UncertaintyMm)])
         {
             Judgement = job.Profile is { } tolerance
                 ? ProfileJudgement.OfMeasured(tolerance, samples, job.Measuring.UncertaintyMm)
@@ -83,9 +83,10 @@ public sealed record SurfaceEvaluation(IReadOnlyList<EvaluatedPiece> Pieces, Dev
         };
 
     // A piece is judged by all its points, but a chip under the stylus is not part of the piece, so outlying points are reported.
-    private static IEnumerable<ReportWarning> Outlying(MeasuredPoints piece, IReadOnlyList<ErrorSample> samples)
+    private static IEnumerable<ReportWarning> Outlying(
+        MeasuredPoints piece, IReadOnlyList<ErrorSample> samples, double uncertaintyMm)
     {
-        var points = OutlyingPoints.Of(samples);
+        var points = OutlyingPoints.Of(samples, uncertaintyMm);
         if (points.Count == 0)
         {
             return [];

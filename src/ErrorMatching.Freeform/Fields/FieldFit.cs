@@ -27,15 +27,22 @@ public static class FieldFit
         }
 
         Check(samples);
-        var u = ParameterRange.Of(samples.Select(s => s.U));
-        var v = ParameterRange.Of(samples.Select(s => s.V));
-        var data = new FieldData(
-            [.. samples.Select(s => s.I)],
-            [.. samples.Select(s => s.J)],
-            [.. samples.Select(s => u.ToUnit(s.U))],
-            [.. samples.Select(s => v.ToUnit(s.V))],
-            [.. samples.Select(s => s.ErrorMm)]);
-        return new(ModelChoice.Best(data, ModelChoice.FarWorseOnErrors), u, v, pointUncertaintyMm);
+        var (u, v) = (ParameterRange.Of(samples.Select(s => s.U)), ParameterRange.Of(samples.Select(s => s.V)));
+        var data = FieldData.Of(samples);
+        return new(Best(data, pointUncertaintyMm), u, v, pointUncertaintyMm);
+    }
+
+    // Among few points nothing but the stated uncertainty tells whether what a smooth model leaves is noise. If it is too much for noise,
+    // each point is followed: no model may leave more than the plain mirror would.
+    private static FieldModel Best(FieldData data, double uncertainty)
+    {
+        var smooth = ModelChoice.Best(data, ModelChoice.FarWorseOnErrors);
+        return data.Count < FewPoints.Enough
+            && smooth.Kind != FieldModelKind.Interpolant
+            && FewPoints.ProbabilityOfNoise(smooth.Residuals(), smooth.Freedom, uncertainty) <= SpatialStructure.Level
+            && SplineModel.Interpolate(data, smooth) is { } through
+            ? through
+            : smooth;
     }
 
     private static void Check(IReadOnlyList<ErrorSample> samples)

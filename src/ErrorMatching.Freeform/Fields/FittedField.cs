@@ -36,6 +36,14 @@ public sealed class FittedField : ErrorField
     /// <summary>Parameters v at which the second derivative of the field jumps, ascending.</summary>
     public IReadOnlyList<double> BreaksV { get; }
 
+    /// <summary>Number of points to each wave of the field, in the direction in which there are fewer; infinite for a field without
+    /// waves.</summary>
+    internal double PointsPerWave => _model is not ProcessModel { Kernel: var kernel }
+        ? double.PositiveInfinity
+        : Math.PI * Math.Min(
+            (_model.Data.Crossings.Length - 1) / Math.Abs(kernel.WaveU),
+            (_model.Data.Curves.Length - 1) / Math.Abs(kernel.WaveV));
+
     /// <summary>Mean absolute difference between samples and the field fitted without their grid line; NaN if both directions have fewer
     /// than three lines. These fits keep the kernel, but move breaks and reselect the terms of polynomials without breaks.</summary>
     public double LeaveLineOutMm => _model.LineOut;

@@ -22,9 +22,6 @@ namespace ErrorMatching.Freeform;
 /// </remarks>
 internal static class OutlyingPoints
 {
-    /// <summary>Minimum number of points. With fewer, too little is known between them; 5 by 6 still tell a rim from a chip.</summary>
-    public const int LeastPoints = 30;
-
     /// <summary>Robust standard deviations beyond which a residual is not noise.</summary>
     public const double Sigmas = 6;
 
@@ -40,13 +37,14 @@ internal static class OutlyingPoints
     // At most one point in this many may be outlying. With more, none would be an exception.
     private const int OneIn = 10;
 
-    /// <summary>Returns the outlying points in sample order; none if there are fewer than <see cref="LeastPoints"/> samples.</summary>
-    /// <param name="samples">Errors on the curves of a grid, each point once.</param>
-    public static IReadOnlyList<OutlyingPoint> Of(IReadOnlyList<ErrorSample> samples)
+    /// <summary>Returns the outlying points in sample order.</summary>
+    /// <param name="samples">Errors on the curves of a grid, each point once. Of a few, <see cref="FewPoints"/> judges.</param>
+    /// <param name="uncertaintyMm">Standard uncertainty of one of them.</param>
+    public static IReadOnlyList<OutlyingPoint> Of(IReadOnlyList<ErrorSample> samples, double uncertaintyMm)
     {
-        if (samples.Count < LeastPoints)
+        if (samples.Count < FewPoints.Enough)
         {
-            return [];
+            return FewPoints.Outlying(samples, uncertaintyMm);
         }
 
         var neighbors = new NeighborPrediction(samples);

@@ -37,11 +37,28 @@ public sealed record SpatialStructure(double I, double Expectation, double Varia
     public IReadOnlyList<StructureTest> Found => [.. Tests.Where(t => t.P <= Level).OrderBy(t => t.P)];
 
     /// <summary>Tests measured errors.</summary>
-    /// <param name="samples">Errors on the curves of a grid.</param>
-    public static SpatialStructure Of(IReadOnlyList<ErrorSample> samples)
+    /// <param name="samples">Errors on the curves of a grid. Of fewer than 30, one more test asks whether they scatter more about their
+    /// mean than the stated uncertainty explains, and all share the error rate with it (Bonferroni).</param>
+    /// <param name="uncertaintyMm">Stated standard uncertainty of one of them; zero if unknown.</param>
+    public static SpatialStructure Of(IReadOnlyList<ErrorSample> samples, double uncertaintyMm = 0)
     {
         ArgumentNullException.ThrowIfNull(samples);
-        return Of(samples, [.. samples.Select(s => s.ErrorMm)]);
+        double[] errors = [.. samples.Select(s => s.ErrorMm)];
+        var structure = Of(samples, errors);
+        if (structure.Tests.Count == 0 || samples.Count >= FewPoints.Enough || !(uncertaintyMm > 0))
+        {
+            return structure;
+        }
+
+        var mean = errors.Average();
+        var scatter = FewPoints.ProbabilityOfNoise(Array.ConvertAll(errors, e => e - mean), 1, uncertaintyMm);
+        StructureTest[] tests = [
+            .. structure.Tests.Append(new(StructureKind.Scatter, scatter)).Select(t => t with { P = Math.Min(1, 2 * t.P) })];
+        return structure with
+        {
+            Tests = tests,
+            Verdict = Array.Exists(tests, t => t.P <= Level) ? SpatialVerdict.Systematic : SpatialVerdict.Noise,
+        };
     }
 
     /// <summary>Tests the residuals of a field. Systematic residuals mean that the field misses something.</summary>
@@ -57,13 +74,7 @@ public sealed record SpatialStructure(double I, double Expectation, double Varia
             throw new ArgumentException($"{values.Count} values for {samples.Count} samples", nameof(values));
         }
 
-        var (rangeU, rangeV) = (ParameterRange.Of(samples.Select(s => s.U)), ParameterRange.Of(samples.Select(s => s.V)));
-        var data = new FieldData(
-            [.. samples.Select(s => s.I)],
-            [.. samples.Select(s => s.J)],
-            [.. samples.Select(s => rangeU.ToUnit(s.U))],
-            [.. samples.Select(s => rangeV.ToUnit(s.V))],
-            [.. values]);
+        var data = FieldData.Of(samples).With([.. values]);
         var moran = Of(data.Z, Neighbors(data));
         if (double.IsNaN(moran.I) || samples.Count < LeastPoints)
         {

@@ -36,4 +36,7 @@ public enum StructureKind
 
     /// <summary>The values follow a wave along u, along v or both.</summary>
     Wave,
+
+    /// <summary>The values scatter more than the stated uncertainty of a point explains. Tested of few points only.</summary>
+    Scatter,
 }

@@ -25,6 +25,7 @@ public static class StructureWords
         StructureKind.Neighbors => "neighbors",
         StructureKind.Plane => "plane",
         StructureKind.Quadratic => "quadratic",
+        StructureKind.Scatter => "scatter",
         _ => "wave",
     };
 
@@ -33,6 +34,7 @@ public static class StructureWords
         StructureKind.Neighbors => test.IsOpposite ? "neighbors are opposite" : "neighbors are alike",
         StructureKind.Plane => "a plane",
         StructureKind.Quadratic => "a quadratic trend",
+        StructureKind.Scatter => "the errors differ by more than the stated uncertainty explains",
         _ => "a wave" + Lengths(test.WaveMm),
     };
 

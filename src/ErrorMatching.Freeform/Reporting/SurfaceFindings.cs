@@ -17,6 +17,10 @@ public sealed record SurfaceFindings
     /// <summary>The alignment of the points to the surface; null if they were not moved.</summary>
     public required SurfaceAlignment? Alignment { get; init; }
 
+    /// <summary>The motion of the whole piece that explains the most of the errors; null if the points do not tell it or were aligned, and
+    /// in older reports.</summary>
+    public required SurfaceMotion? Motion { get; init; }
+
     /// <summary>The stage after which the surface was measured: finishing or semi-finishing.</summary>
     public required CuttingStage Stage { get; init; }
 
@@ -90,6 +94,7 @@ public sealed record SurfaceFindings
             Verdict = result.Verdict(map),
             CutBy = cutBy,
             Alignment = result.Alignment,
+            Motion = result.Motion,
             Stage = job.Measuring.After,
             Before = result.Before,
             Structure = result.Structure,
@@ -137,6 +142,11 @@ public sealed record SurfaceFindings
             }
         });
         EvaluationReportJson.Alignment(json, Alignment);
+        if (Motion is { } motion)
+        {
+            json.Object("commonMotion", () => motion.Write(json));
+        }
+
         json.Text("stage", MeasuredStage.Name(Stage));
         json.Object("before", () => EvaluationReportJson.Statistics(json, Before));
         json.Object("structure", () => StructureJson.Write(json, Structure));
@@ -184,6 +194,7 @@ public sealed record SurfaceFindings
             CutBy = new(cutBy?.OptionalText("file"), cutBy?.OptionalText("sha256")) { Previous = cutBy?.OptionalText("previous") },
             Verdict = json.OptionalObject("verdict") is { } verdict ? SurfaceVerdict.Read(verdict) : null,
             Alignment = EvaluationReportJson.ReadAlignment(json),
+            Motion = json.OptionalObject("commonMotion") is { } motion ? SurfaceMotion.Read(motion) : null,
             Stage = json.Word("stage", [CuttingStage.SemiFinishing, CuttingStage.Finishing], MeasuredStage.Name),
             Before = EvaluationReportJson.ReadStatistics(json.Object("before")),
             Structure = StructureJson.Read(json.Object("structure")),

@@ -47,11 +47,11 @@ public sealed class CompensationNoiseTests
             (u, v) => 0.03 * Math.Sin((4 * u) + (9 * u * u) + 1) * Math.Cos((3 * v) + (5 * v * v) + 2))).Result!;
 
         Assert.InRange(result.Mirror.Statistics.StandardDeviationMm, 0, 5e-4);
-        Assert.Contains("Where a line of points is left out", Assert.Single(result.Notes), StringComparison.Ordinal);
-        Assert.Empty(piece.Compensate(piece.With(Tilted)).Result!.Notes);
+        Assert.Equal("points-too-far-apart", Assert.Single(result.Warnings).Code);
+        Assert.Empty(piece.Compensate(piece.With(Tilted)).Result!.Warnings);
 
         var random = new Random(3);
-        Assert.Empty(piece.Compensate(piece.With((u, v) => Tilted(u, v) + (0.003 * (random.NextDouble() - 0.5)))).Result!.Notes);
+        Assert.Empty(piece.Compensate(piece.With((u, v) => Tilted(u, v) + (0.003 * (random.NextDouble() - 0.5)))).Result!.Warnings);
     }
 
     [Fact]

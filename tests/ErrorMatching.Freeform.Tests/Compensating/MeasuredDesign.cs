@@ -19,6 +19,8 @@ internal sealed class MeasuredDesign
         Plan = MeasuringPlanner.Plan(surface, Job.Measuring, Job.Stock.Of(Job.Measuring.After));
     }
 
+    private MeasuredDesign(MeasuredDesign other, FreeformJob job) => (Surface, Job, Plan) = (other.Surface, job, other.Plan);
+
     /// <summary>A linear error, in millimeters.</summary>
     public static double Tilted(double u, double v) => 0.01 + (0.012 * u) + (0.008 * v);
 
@@ -27,6 +29,9 @@ internal sealed class MeasuredDesign
     public FreeformJob Job { get; }
 
     public MeasuringPlan Plan { get; }
+
+    /// <summary>The same design and plan with another job.</summary>
+    public MeasuredDesign With(FreeformJob job) => new(this, job);
 
     /// <summary>The points of a piece whose error is a function of u and v, in millimetres, on the stock of the job's stage.</summary>
     public MeasuredPoints With(Func<double, double, double> error, string file = "measured.csv") =>

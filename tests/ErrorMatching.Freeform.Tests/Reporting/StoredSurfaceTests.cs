@@ -110,6 +110,11 @@ public sealed class StoredSurfaceTests
             CutBy = r.Next(2) == 0 ? new(null, null) : new("nominal.nc", "dd") { Previous = r.Next(2) == 0 ? null : "before/report.json" },
             Verdict = r.Next(2) == 0 ? null : Verdict(r),
             Alignment = r.Next(2) == 0 ? null : new(new(Mm(r), Mm(r), Mm(r)), new(Mm(r), Mm(r), Mm(r)), new(Mm(r), Mm(r), Mm(r))),
+            Motion = r.Next(2) == 0 ? null : new(new(Mm(r), Mm(r), Mm(r)), new(Mm(r), Mm(r), Mm(r)), Mm(r), r.Next(2) == 0, Mm(r), Mm(r))
+            {
+                ShiftUncertaintyMm = new(Mm(r), Mm(r), Mm(r)),
+                TurnUncertaintyDegrees = new(Mm(r), Mm(r), Mm(r)),
+            },
             Stage = r.Next(2) == 0 ? CuttingStage.Finishing : CuttingStage.SemiFinishing,
             Before = Statistics(r),
             Structure = new(Mm(r), Mm(r), double.NaN, Mm(r), Mm(r), verdict),

@@ -20,6 +20,18 @@ internal sealed record FieldData(int[] I, int[] J, double[] U, double[] V, doubl
 
     private const int MostPlacesBetween = 400;
 
+    /// <summary>The errors of samples over their parameters, each scaled to the range from -1 to 1.</summary>
+    public static FieldData Of(IReadOnlyList<ErrorSample> samples)
+    {
+        var (u, v) = (ParameterRange.Of(samples.Select(s => s.U)), ParameterRange.Of(samples.Select(s => s.V)));
+        return new(
+            [.. samples.Select(s => s.I)],
+            [.. samples.Select(s => s.J)],
+            [.. samples.Select(s => u.ToUnit(s.U))],
+            [.. samples.Select(s => v.ToUnit(s.V))],
+            [.. samples.Select(s => s.ErrorMm)]);
+    }
+
     public int Count => Z.Length;
 
     /// <summary>The curves of constant j, ascending, as indices of their values, along each curve.</summary>
