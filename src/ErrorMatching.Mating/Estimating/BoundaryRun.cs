@@ -165,6 +165,23 @@ internal sealed class BoundaryRun
         return shares;
     }
 
+    /// <summary>Cosine of the angle between the normals of an element and the next one where they meet; null if other cuts are between
+    /// them.</summary>
+    /// <param name="element">Index of the first of both.</param>
+    public double? JointCosine(int element)
+    {
+        if (element < 0 || element + 1 >= Elements.Count)
+        {
+            return null;
+        }
+
+        var (one, other) = (Elements[element], Elements[element + 1]);
+        return Neighbor(one.Last, -1) is { } last && Neighbor(one.Last + 1, 1) is { } first
+            && ReferenceEquals(ElementOf(last), one) && ReferenceEquals(ElementOf(first), other)
+            ? NormalAt(Path, last, 1).Dot(NormalAt(Path, first, 0))
+            : null;
+    }
+
     /// <summary>Lines beside the elements that an end of one takes along: the joint moves with the element, and the line tilts about its
     /// other end.</summary>
     public IReadOnlyList<FollowingLine> Following { get; set; } = [];

@@ -13,6 +13,9 @@ internal sealed class CourseEstimator
     // Each round makes the program once. The second already measures below a micrometer.
     private const int Rounds = 4;
 
+    // The risk that an error anywhere along the boundary is beyond the bounds of its features.
+    private const double BoundRisk = 0.05;
+
     private readonly MatingJob _job;
     private readonly NcPath _path;
     private readonly IReadOnlyList<FeatureMap> _maps;
@@ -218,10 +221,13 @@ internal sealed class CourseEstimator
             }
         }
 
+        var limits = map.Feature.Tolerance.Band is { WidthMm: > 0 } band ? band.Opposite() : null;
         var worst = _elements[pass].Count == 0
-            ? WholeShape.Around(run, _path, pass).WorstOn(cutsBefore, cutsAfter, map.Feature.FormMm)
-            : _elements[pass].Select(e => WorstBetween(run, e, cutsAfter)).OfType<PredictedError>()
-                .OrderBy(e => e.IsKnown).ThenByDescending(e => Math.Abs(e.AfterMm)).FirstOrDefault();
+            ? WholeShape.Around(run, _path, pass).WorstOn(cutsBefore, cutsAfter, map.Feature.FormMm, limits, Risk)
+            : PredictedError.Worst(
+                _elements[pass].Where(e => !IsKnown(e)).Select(e => run.WidestGap(e, cutsAfter))
+                    .Append(run.WorstAlong(_elements[pass].Where(IsKnown), cutsAfter, limits, Risk)).OfType<PredictedError>(),
+                limits);
         return new(
             points,
             worst is null ? null : worst with { Place = toPart.Apply(worst.Place), Normal = toPart.Apply(worst.Normal) },
@@ -233,10 +239,11 @@ internal sealed class CourseEstimator
     }
 
     // With as many points as its shape needs, an element does not tell its form. Another one of the job may tell how large such errors are.
-    private PredictedError? WorstBetween(RunEstimate run, BoundaryElement element, RunPath cuts) =>
-        element.FormMm is not null || element.OwnPoints > element.PointsOfShape || _tellsForm
-            ? run.WorstBetween(element, cuts)
-            : run.WidestGap(element, cuts);
+    private bool IsKnown(BoundaryElement element) =>
+        element.FormMm is not null || element.OwnPoints > element.PointsOfShape || _tellsForm;
+
+    // The bounds of all features together hold with 95 %.
+    private double Risk => 1 - Elementary.Pow(1 - BoundRisk, 1.0 / _maps.Count);
 
     private bool IsCompensated(int feature) => _decision.Features[feature].Decision == Decision.Compensated;
 

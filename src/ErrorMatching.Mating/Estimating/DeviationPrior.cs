@@ -11,7 +11,7 @@ internal sealed class DeviationPrior
     /// <summary>Standard deviation of what the points alone determine, mm.</summary>
     public const double VagueMm = 1;
 
-    private readonly BoundaryElement _element;
+    private readonly Stretch _element;
     private double[] _deviations;
 
     // An array, because the sum over it is the innermost loop of an estimate.
@@ -25,7 +25,7 @@ internal sealed class DeviationPrior
     /// <param name="tiltMm">Standard deviation of the tilt at both ends, and of the change of an arc.</param>
     /// <param name="uncertaintyMm">Standard uncertainty of a point; scales the ridge of a polynomial.</param>
     /// <param name="places">The places of its own key points, for the terms of a polynomial.</param>
-    public DeviationPrior(BoundaryElement element, double tiltMm, double uncertaintyMm, IReadOnlyList<double> places)
+    public DeviationPrior(Stretch element, double tiltMm, double uncertaintyMm, IReadOnlyList<double> places)
     {
         _element = element;
         TiltMm = element.Form == ElementForm.Free ? null : tiltMm;

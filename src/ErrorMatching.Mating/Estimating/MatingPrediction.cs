@@ -41,6 +41,24 @@ public sealed record PredictedError(Point2 Place, Vector2 Normal, double BeforeM
     /// <summary>Half the 95 % interval about either error.</summary>
     public double Interval95Mm => Factor95 * StandardUncertaintyMm;
 
+    /// <summary>The largest error, either way, of the interval about <see cref="AfterMm"/>.</summary>
+    public double BoundMm => Math.Abs(AfterMm) + Interval95Mm;
+
+    /// <summary>The worst of several places between points. One of which nothing is known comes first. Then the largest error outside the
+    /// limits, because it decides; else the largest bound, because the error there may be the largest.</summary>
+    /// <param name="places">The places.</param>
+    /// <param name="limits">The limits of the mating error; null for none.</param>
+    /// <returns>Null if there is no place.</returns>
+    internal static PredictedError? Worst(IEnumerable<PredictedError> places, ToleranceBand? limits) => places
+        .OrderBy(p => p.IsKnown)
+        .ThenByDescending(p => limits?.Contains(p.AfterMm) == false ? Math.Abs(p.AfterMm) : 0)
+        .ThenByDescending(p => p.IsKnown ? p.BoundMm : Math.Abs(p.AfterMm))
+        .FirstOrDefault();
+
+    /// <summary>The same error with an interval that reaches a bound, if it does not reach further already.</summary>
+    internal PredictedError Within(double boundMm) => boundMm <= BoundMm ? this
+        : this with { StandardUncertaintyMm = (boundMm - Math.Abs(AfterMm)) / Factor95 };
+
     /// <summary>Writes it into the open object.</summary>
     internal void Write(ReportWriter w)
     {

@@ -35,7 +35,7 @@ internal static class PriorChoice
     /// <returns>The priors for the cuts, in which a line runs through its two points, because they say nothing else; and those for the
     /// uncertainty between key points, in which its form may be off by as much as that of the others.</returns>
     public static (DeviationPrior[] OfCuts, DeviationPrior[] OfPiece) Of(
-        IReadOnlyList<BoundaryElement> elements, IReadOnlyList<BoundaryRow> rows, double uncertaintyMm)
+        IReadOnlyList<Stretch> elements, IReadOnlyList<BoundaryRow> rows, double uncertaintyMm)
     {
         var noise = Math.Max(uncertaintyMm, DeviationField.LeastUncertaintyMm);
         rows = Thinned(rows);
@@ -73,7 +73,7 @@ internal static class PriorChoice
     // The form errors of lines, flanks and arcs, from those with more points than they need. Their tilts are vague, so that the likelihood
     // is the restricted one. Without such an element, nothing tells a form error.
     private static IReadOnlyList<(double Variance, double Part)> FormOfStraight(
-        IReadOnlyList<BoundaryElement> elements, BoundaryRow[][] own, double noise, double largest)
+        IReadOnlyList<Stretch> elements, BoundaryRow[][] own, double noise, double largest)
     {
         var alone = new List<StraightRows>();
         for (var e = 0; e < elements.Count; e++)
@@ -98,7 +98,7 @@ internal static class PriorChoice
                 error => new TriedForm(part, error, alone.Select((a, i) => LogOf(a.Smooth, rough[i], error, a.Values)).Sum()));
         })]);
 
-        double[] Covariance(BoundaryElement element, BoundaryRow[] rows, IReadOnlyList<(double, double)> form) =>
+        double[] Covariance(Stretch element, BoundaryRow[] rows, IReadOnlyList<(double, double)> form) =>
             DeviationField.CovarianceOf(
                 [new DeviationPrior(element, DeviationPrior.VagueMm, noise, []) { Form = FormOf(element, form) }], rows, noise);
     }
@@ -106,7 +106,7 @@ internal static class PriorChoice
     private static IReadOnlyList<(double Variance, double Part)> LeastForm(double noise) =>
         [(Elementary.Pow(LeastError * noise, 2), _formLengths[2])];
 
-    private static (double, double)[] FormOf(BoundaryElement element, IReadOnlyList<(double Variance, double Part)> form) =>
+    private static (double, double)[] FormOf(Stretch element, IReadOnlyList<(double Variance, double Part)> form) =>
         [.. form.Select(f => (f.Variance, f.Part * (element.ToMm - element.FromMm)))];
 
     // For each length, the mean of the logarithms of the scale; all of them weighted by their evidence.
@@ -150,7 +150,7 @@ internal static class PriorChoice
         Elementary.Exp(Weights(scales.Select(log)).Select((w, i) => w * Elementary.Log(scales[i])).Sum());
 
     // Amplitude and lengths of a curve's form.
-    private static List<(double Variance, double Length)> FormOf(BoundaryElement element, BoundaryRow[] rows, double noise)
+    private static List<(double Variance, double Length)> FormOf(Stretch element, BoundaryRow[] rows, double noise)
     {
         if (element is not { Form: ElementForm.Free, Degree: null } || rows.Length < 3)
         {
@@ -207,7 +207,7 @@ internal static class PriorChoice
         [.. Enumerable.Range(0, count).Select(i => from * Elementary.Pow(to / from, (double)i / (count - 1)))];
 
     // A line, a flank or an arc with more points than it needs: what they say, and their covariance without form errors.
-    private sealed record StraightRows(BoundaryElement Element, BoundaryRow[] Rows, double[] Smooth, double[] Values);
+    private sealed record StraightRows(Stretch Element, BoundaryRow[] Rows, double[] Smooth, double[] Values);
 
     // A form error that was tried: its length, its scale, and the logarithm of its evidence.
     private sealed record TriedForm(double Length, double Scale, double Log);

@@ -13,6 +13,13 @@ internal sealed class RunEstimate
     private const double SpacingMm = 1;
     private const int MostPlaces = 200;
 
+    // Cosine of the largest angle at which one curve still goes on as the other: 30 degrees. A deviation of a corner changes by no more
+    // than a seventh across it.
+    private const double SameCourseCosine = 0.866;
+
+    // Nearer to a corner, the boundary is where the other element moves it.
+    private const double CornerMm = 0.25;
+
     private readonly BoundaryRow?[] _ofPoints;
     private readonly RunPath _before;
     private readonly Dictionary<BoundaryElement, (double AlongMm, double All, double Corrected, double Ignored)[]> _bases =
@@ -26,7 +33,70 @@ internal sealed class RunEstimate
         _ofPoints = new BoundaryRow?[points.Count];
         _before = run.On(run.Path);
         Nominal = [.. points.Select(p => _before.FootOf(p.Theoretical, p.Normal))];
+        Stretches = run.Elements;
+        for (var e = 0; e + 1 < run.Elements.Count; e++)
+        {
+            if (IsCourse(run.Elements[e]) && IsCourse(run.Elements[e + 1]) && run.JointCosine(e) > SameCourseCosine)
+            {
+                JoinIfLikelier(e);
+            }
+        }
+
+        static bool IsCourse(BoundaryElement element) => element is { Form: ElementForm.Free, Degree: null };
     }
+
+    // Two curves that were cut apart may have a step at their joint: then the points say more of each alone.
+    private void JoinIfLikelier(int element)
+    {
+        var (apart, evidence) = (Stretches, EvidenceOfPoints());
+        BoundaryElement[] joined = [.. CurvesOf(apart[StretchOf(Run.Elements[element]).Index]), Run.Elements[element + 1]];
+        Stretches = [
+            .. apart.Where(s => !CurvesOf(s).Any(joined.Contains) || ReferenceEquals(CurvesOf(s)[0], joined[0]))
+                .Select(s => ReferenceEquals(CurvesOf(s)[0], joined[0]) ? new JoinedCurves(joined) : s)];
+        if (EvidenceOfPoints() < evidence)
+        {
+            Stretches = apart;
+        }
+    }
+
+    private double EvidenceOfPoints()
+    {
+        var (rows, _) = MeasuredRows();
+        return Evidence.Log(
+            DeviationField.CovarianceOf(PriorChoice.Of(Stretches, rows, UncertaintyMm).OfPiece, rows, UncertaintyMm),
+            [.. rows.Select(r => r.ValueMm)]);
+    }
+
+    private static IReadOnlyList<BoundaryElement> CurvesOf(Stretch stretch) =>
+        stretch is JoinedCurves joined ? joined.Curves : [(BoundaryElement)stretch];
+
+    /// <summary>What its key points speak of: its elements, or curves that join and deviate as one.</summary>
+    public IReadOnlyList<Stretch> Stretches { get; private set; }
+
+    /// <summary>The passes whose boundary a term speaks of.</summary>
+    public IEnumerable<FeaturePass> PassesOf(RowTerm term) => CurvesOf(Stretches[term.Element]).Select(c => c.Pass);
+
+    // The stretch of an element, and what is added to a length along the element there.
+    private (int Index, double OffsetMm) StretchOf(BoundaryElement element)
+    {
+        for (var k = 0; k < Stretches.Count; k++)
+        {
+            if (CurvesOf(Stretches[k]).Any(c => ReferenceEquals(c, element)))
+            {
+                return (k, Stretches[k] is JoinedCurves joined ? joined.OffsetOf(element) : 0);
+            }
+        }
+
+        throw new ArgumentException("The element is not of this run.", nameof(element));
+    }
+
+    private RowTerm TermOf(BoundaryElement element, double along, double weight)
+    {
+        var (index, offset) = StretchOf(element);
+        return new(index, along + offset, weight);
+    }
+
+    private double MeanAt(BoundaryElement element, double along) => Field!.Mean([TermOf(element, along, 1)]);
 
     /// <summary>The run.</summary>
     public BoundaryRun Run { get; }
@@ -59,13 +129,13 @@ internal sealed class RunEstimate
             var point = Points[i];
             if (point.Beside is { } beside)
             {
-                rows.Add((new([new(IndexOf(beside.Element), beside.AlongMm, 1)], point.Measured.Dot(point.Normal)), point));
+                rows.Add((new([TermOf(beside.Element, beside.AlongMm, 1)], point.Measured.Dot(point.Normal)), point));
                 continue;
             }
 
             var foot = _before.FootOf(point.Theoretical + point.Measured, point.Normal);
             RowTerm[] terms = [
-                .. Run.SharesAt(Run.Path, foot).Select(s => new RowTerm(IndexOf(s.Element), s.AlongMm, s.Weight))];
+                .. Run.SharesAt(Run.Path, foot).Select(s => TermOf(s.Element, s.AlongMm, s.Weight))];
             if (terms.Length > 0 || Run.Elements.Count == 0)
             {
                 rows.Add((new(terms, Nominal[i].DistanceMm - foot.DistanceMm), point));
@@ -87,7 +157,7 @@ internal sealed class RunEstimate
             var way = isWhole ? Points[i].Deviation : Points[i].Wanted;
             if (Points[i].Beside is { } beside)
             {
-                _ofPoints[i] = new([new(IndexOf(beside.Element), beside.AlongMm, 1)], way.Dot(Points[i].Normal));
+                _ofPoints[i] = new([TermOf(beside.Element, beside.AlongMm, 1)], way.Dot(Points[i].Normal));
                 continue;
             }
 
@@ -100,12 +170,12 @@ internal sealed class RunEstimate
 
             var off = foot.DistanceMm - Nominal[i].DistanceMm + (isWhole ? 0 : CorrectedBaseMm(i));
             squares += off * off;
-            RowTerm[] terms = [.. Run.SharesAt(path, foot).Select(s => new RowTerm(IndexOf(s.Element), s.AlongMm, s.Weight))];
-            var row = terms.Length == 0 ? null
+            var shares = Run.SharesAt(path, foot).ToArray();
+            var row = shares.Length == 0 ? null
                 : new BoundaryRow(
-                    terms,
-                    terms.Sum(t => t.Weight * (Cuts[t.Element].At(t.AlongMm) + (isWhole ? 0 : CorrectedBaseAt(t.Element, t.AlongMm))))
-                        - off);
+                    [.. shares.Select(s => TermOf(s.Element, s.AlongMm, s.Weight))],
+                    shares.Sum(s => s.Weight
+                        * (CutOf(s.Element).At(s.AlongMm) + (isWhole ? 0 : BaseAt(s.Element, s.AlongMm).Corrected))) - off);
             if (!Agree(row, _ofPoints[i]))
             {
                 (_ofPoints[i], isSettled) = (row, false);
@@ -128,15 +198,15 @@ internal sealed class RunEstimate
     public void Solve(bool isWhole)
     {
         BoundaryRow[] rows = [.. _ofPoints.OfType<BoundaryRow>()];
-        _priors ??= PriorChoice.Of(Run.Elements, rows, UncertaintyMm);
+        _priors ??= PriorChoice.Of(Stretches, rows, UncertaintyMm);
         Field = new(isWhole ? _priors.Value.OfPiece : _priors.Value.OfCuts, rows, UncertaintyMm);
     }
 
     /// <summary>Lets the cuts of compensated elements follow the field.</summary>
     public void Follow(Func<BoundaryElement, bool> isCompensated) => Cuts =
     [
-        .. Run.Elements.Select((element, e) => isCompensated(element)
-            ? ElementCut.Following(element, along => Field!.Mean(e, along) - CorrectedBaseAt(e, along))
+        .. Run.Elements.Select(element => isCompensated(element)
+            ? ElementCut.Following(element, along => MeanAt(element, along) - BaseAt(element, along).Corrected)
             : ElementCut.Still)];
 
     /// <summary>What the cuts follow now, to come back to.</summary>
@@ -187,31 +257,27 @@ internal sealed class RunEstimate
             from.Ignored + (share * (to.Ignored - from.Ignored)));
     }
 
-    private double CorrectedBaseAt(int element, double along) => BaseAt(Run.Elements[element], along).Corrected;
-
     /// <summary>The cuts of this run on a program.</summary>
     public RunPath OnCuts(NcPath path) => ReferenceEquals(path, Run.Path) ? _before : Run.On(path);
 
-    /// <summary>The largest mating error expected between the outermost key points of an element.</summary>
-    /// <param name="element">The element.</param>
+    /// <summary>The worst mating error along elements of a feature, with an interval that holds the largest error anywhere along
+    /// them.</summary>
+    /// <param name="elements">The elements, of whose form something is known.</param>
     /// <param name="after">The cuts of the program to cut.</param>
-    /// <returns>The error, its place in the program's frame; null if the element has fewer than two key points of its own.</returns>
-    public PredictedError? WorstBetween(BoundaryElement element, RunPath after)
+    /// <param name="limits">The limits of the error; null for none.</param>
+    /// <param name="risk">The risk that an error anywhere is larger.</param>
+    /// <returns>The error, its place in the program's frame; null if no element has two key points.</returns>
+    public PredictedError? WorstAlong(IEnumerable<BoundaryElement> elements, RunPath after, ToleranceBand? limits, double risk)
     {
-        if (Span(element) is not var (from, to, steps))
+        var places = elements.SelectMany(e => Between(e).Select(at => (Element: e, At: at))).ToArray();
+        PredictedError[] errors = [.. places.Select(p => ErrorBetween(p.Element, p.At, ErrorBetween(p.Element, after, p.At)))];
+        if (PredictedError.Worst(errors, limits) is not { } worst)
         {
             return null;
         }
 
-        var (worst, at) = (0.0, from);
-        for (var k = 0; k <= steps; k++)
-        {
-            var along = from + ((to - from) * k / steps);
-            var error = ErrorBetween(element, after, along);
-            (worst, at) = Math.Abs(error) > Math.Abs(worst) ? (error, along) : (worst, at);
-        }
-
-        return ErrorBetween(element, at, worst);
+        var unknown = JointFactor.Of(0, Field!.Together([.. places.Select(p => (IReadOnlyList<RowTerm>)[TermOf(p.Element, p.At, 1)])]));
+        return worst.Within(LargestError.BoundMm([.. errors.Select(e => e.AfterMm)], unknown.Columns, Math.Max(1, Points.Count - 1), risk));
     }
 
     /// <summary>The middle between the two neighboring key points of an element that are furthest apart, where one more would tell most
@@ -236,15 +302,21 @@ internal sealed class RunEstimate
     private PredictedError ErrorBetween(BoundaryElement element, double at, double mm)
     {
         var (nominal, normal) = Run.PlaceAt(element, at);
-        return new(nominal, normal, ErrorBetween(element, _before, at), mm, Field!.StandardDeviation(IndexOf(element), at));
+        return new(nominal, normal, ErrorBetween(element, _before, at), mm, DeviationSigma(element, at));
     }
 
     private double ErrorBetween(BoundaryElement element, RunPath cuts, double along)
     {
         // The boundary of the program before is where it cuts, not where the theoretical outline is.
         var (place, toTool) = Run.PlaceAt(element, along);
-        var wanted = place + (toTool * (Field!.Mean(IndexOf(element), along) - BaseAt(element, along).All));
+        var wanted = place + (toTool * (MeanAt(element, along) - BaseAt(element, along).All));
         return cuts.FootOf(wanted, toTool).DistanceMm - Run.Radius;
+    }
+
+    private double DeviationSigma(BoundaryElement element, double along)
+    {
+        var (index, offset) = StretchOf(element);
+        return Field!.StandardDeviation(index, along + offset);
     }
 
     private static IEnumerable<double> FeetOf(BoundaryElement element) =>
@@ -271,49 +343,67 @@ internal sealed class RunEstimate
             };
         }
 
-        for (var e = 0; e < Run.Elements.Count; e++)
+        foreach (var element in Run.Elements)
         {
-            var element = Run.Elements[e];
-            if (Span(element) is not { } span)
+            foreach (var along in Between(element))
             {
-                continue;
-            }
-
-            for (var k = 0; k <= span.Steps; k++)
-            {
-                var along = span.From + ((span.To - span.From) * k / span.Steps);
                 var (place, normal) = Run.PlaceAt(element, along);
-                var own = Points.First(p => p.AlongOf(element) is not null);
+                var own = Points.First(p => ReferenceEquals(p.Own?.Pass, element.Pass));
                 var (differs, corrected, ignored) = BaseAt(element, along);
-                var wanted = place + (normal * (Field!.Mean(e, along) - corrected - ignored));
+                var wanted = place + (normal * (MeanAt(element, along) - corrected - ignored));
                 yield return new(this, featureOf(element), -1, wanted, normal, Run.Radius)
                 {
                     KeptMm = differs - corrected - ignored,
                     GapMm = own.GapMm,
-                    StandardDeviationMm = Field.StandardDeviation(e, along),
-                    Terms = [new(e, along, 1)],
+                    StandardDeviationMm = DeviationSigma(element, along),
+                    Terms = [TermOf(element, along, 1)],
                 };
             }
         }
     }
 
-    // The part of an element between its outermost key points, and in how many steps it is compared.
-    private static (double From, double To, int Steps)? Span(BoundaryElement element)
+    // The places on an element at which the boundary is compared: between its outermost key points, and up to the elements that it meets. In
+    // a hollow corner the end of one is cut away with the other.
+    private IEnumerable<double> Between(BoundaryElement element)
     {
-        double[] feet = [.. FeetOf(element)];
-        return feet.Length < 2
-            ? null
-            : (feet.Min(), feet.Max(), Math.Clamp((int)Math.Ceiling((feet.Max() - feet.Min()) / SpacingMm), 1, MostPlaces));
+        var (index, offset) = StretchOf(element);
+        double[] feet = [.. CurvesOf(Stretches[index]).SelectMany(c => FeetOf(c).Select(f => f + StretchOf(c).OffsetMm - offset))];
+        if (feet.Length < 2)
+        {
+            yield break;
+        }
+
+        var own = IndexOf(element);
+        var from = EndAt(Run.JointCosine(own - 1)) is { } before ? element.FromMm + before : Math.Max(feet.Min(), element.FromMm);
+        var to = EndAt(Run.JointCosine(own)) is { } behind ? element.ToMm - behind : Math.Min(feet.Max(), element.ToMm);
+        var steps = Math.Clamp((int)Math.Ceiling((to - from) / SpacingMm), 1, MostPlaces);
+        for (var k = 0; k <= steps && from <= to; k++)
+        {
+            var along = from + ((to - from) * k / steps);
+            if ((along >= feet.Min() && along <= feet.Max()) || IsLeft(element, along))
+            {
+                yield return along;
+            }
+        }
+
+        static double? EndAt(double? jointCosine) =>
+            jointCosine is { } cosine ? (cosine > SameCourseCosine ? 0 : CornerMm) : null;
     }
 
-    /// <summary>What was assumed about its elements before they were measured.</summary>
+    private bool IsLeft(BoundaryElement element, double along)
+    {
+        var (place, normal) = Run.PlaceAt(element, along);
+        return _before.FootOf(place, normal).DistanceMm > Run.Radius - Rounding;
+    }
+
+    /// <summary>What was assumed about its stretches before they were measured.</summary>
     public IReadOnlyList<DeviationPrior> Priors => _priors!.Value.OfPiece;
 
     /// <summary>What was assumed about an element before it was measured.</summary>
-    public ElementPrior PriorOf(BoundaryElement element) => _priors!.Value.OfPiece[IndexOf(element)].Summary;
+    public ElementPrior PriorOf(BoundaryElement element) => _priors!.Value.OfPiece[StretchOf(element).Index].Summary;
 
     /// <summary>How far the measured piece is from what the program before cuts, at a length along an element, mm.</summary>
-    public double DeviationAt(BoundaryElement element, double along) => Field!.Mean(IndexOf(element), along) - BaseAt(element, along).All
+    public double DeviationAt(BoundaryElement element, double along) => MeanAt(element, along) - BaseAt(element, along).All
         + (Points.FirstOrDefault(p => p.AlongOf(element) is not null)?.GapMm ?? 0);
 
     /// <summary>The cut of an element.</summary>

@@ -13,6 +13,9 @@ internal sealed record WholeShape
     // The boundary is compared at so many places all around.
     private const int AroundPlaces = 72;
 
+    // A form error is taken for waves of two to four periods around it: oval, three and four lobes.
+    private const int FormWaves = 3;
+
     // So many points more than the parameters show that a circle is oval.
     private const int TellingPoints = 3;
 
@@ -95,23 +98,41 @@ internal sealed record WholeShape
     /// <summary>Places all around as the program before cuts them, with their normals toward the tool.</summary>
     public IReadOnlyList<(Point2 Place, Vector2 Normal)> Places { get; private init; } = [];
 
-    /// <summary>The largest error expected all around.</summary>
+    /// <summary>The worst error all around.</summary>
     /// <param name="before">The cuts of the program before.</param>
     /// <param name="after">Those of the program to cut.</param>
     /// <param name="statedMm">Standard deviation of the form error as the job states it; null if the points are to tell it.</param>
+    /// <param name="limits">The limits of the error; null for none.</param>
+    /// <param name="risk">The risk that an error anywhere around is larger than the interval of the worst one reaches.</param>
     /// <returns>The error; if the points do not tell a form error, that at the place furthest from all points, not known.</returns>
-    public PredictedError WorstOn(RunPath before, RunPath after, double? statedMm)
+    public PredictedError WorstOn(RunPath before, RunPath after, double? statedMm, ToleranceBand? limits, double risk)
     {
         var isKnown = statedMm is not null || _tellsForm;
-        var (place, normal) = isKnown
-            ? Places.MaxBy(p => Math.Abs(ErrorOn(after, p)))
-            : Places.MaxBy(p => _points.Min(q => q.DistanceTo(p.Place)));
-        var shape = Factor([(place, normal)]).Sum(c => c[0] * c[0]);
-        var form = statedMm ?? _formMm;
-        return new(place, normal, ErrorOn(before, (place, normal)), ErrorOn(after, (place, normal)), Math.Sqrt(shape + (form * form)))
+        if (!isKnown)
         {
-            IsKnown = isKnown,
-        };
+            return Error(Places.MaxBy(p => _points.Min(q => q.DistanceTo(p.Place)))) with
+            {
+                IsKnown = false
+            };
+        }
+
+        PredictedError[] errors = [.. Places.Select(Error)];
+        var worst = PredictedError.Worst(errors, limits)!;
+
+        var form = statedMm ?? _formMm;
+        double[][] unknown = [.. Factor(Places), .. FormColumns(form)];
+        var freedom = Math.Max(1, _points.Count - _mean.Count);
+        return worst.Within(LargestError.BoundMm([.. errors.Select(e => e.AfterMm)], unknown, freedom, risk));
+
+        IEnumerable<double[]> FormColumns(double mm) => Enumerable.Range(2, FormWaves).SelectMany(n => new[] { 0.0, Math.PI / 2 }.Select(
+            phase => Places.Select((_, k) => mm / Math.Sqrt(FormWaves) * Elementary.Cos((2 * Math.PI * n * k / Places.Count) - phase))
+                .ToArray()));
+
+        PredictedError Error((Point2 Place, Vector2 Normal) at)
+        {
+            var (shape, form) = (Factor([at]).Sum(c => c[0] * c[0]), statedMm ?? _formMm);
+            return new(at.Place, at.Normal, ErrorOn(before, at), ErrorOn(after, at), Math.Sqrt(shape + (form * form)));
+        }
     }
 
     private double ErrorOn(RunPath cuts, (Point2 Place, Vector2 Normal) at) =>

@@ -24,7 +24,7 @@ internal sealed record PairDraws(double Probability, double MedianMm, double Fro
     /// <param name="gaps">The expected gaps.</param>
     /// <param name="factors">What is not known about them.</param>
     /// <param name="count">Number of boundaries, even.</param>
-    public static PairDraws Of(PairMotions motions, IReadOnlyList<double> gaps, IReadOnlyList<PairFactor> factors, int count = Count)
+    public static PairDraws Of(PairMotions motions, IReadOnlyList<double> gaps, IReadOnlyList<JointFactor> factors, int count = Count)
     {
         var variates = new NormalVariates(Seed);
         var air = new List<double>(count);
@@ -60,10 +60,10 @@ internal sealed record PairDraws(double Probability, double MedianMm, double Fro
     {
         private readonly PairMotions _motions;
         private readonly double[] _gaps;
-        private readonly IReadOnlyList<PairFactor> _factors;
+        private readonly IReadOnlyList<JointFactor> _factors;
         private readonly LinearProgram _seat;
 
-        public DrawnGaps(PairMotions motions, double[] gaps, IReadOnlyList<PairFactor> factors)
+        public DrawnGaps(PairMotions motions, double[] gaps, IReadOnlyList<JointFactor> factors)
         {
             (_motions, _gaps, _factors) = (motions, gaps, factors);
             _seat = motions.Seat(PairSeat.Smallest(gaps));
@@ -75,7 +75,7 @@ internal sealed record PairDraws(double Probability, double MedianMm, double Fro
             [.. _factors.Select(f => Of(f, kept)).Where(f => f.Columns.Count > 0 && f.Columns[0].Length > 0)]);
 
         // Places of one factor follow one another, kept or not.
-        private static PairFactor Of(PairFactor factor, IReadOnlyList<int> kept)
+        private static JointFactor Of(JointFactor factor, IReadOnlyList<int> kept)
         {
             var length = factor.Columns.Count == 0 ? 0 : factor.Columns[0].Length;
             int[] own = [.. kept.Where(k => k >= factor.First && k < factor.First + length)];

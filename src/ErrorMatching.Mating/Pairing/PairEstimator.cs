@@ -16,7 +16,7 @@ internal sealed class PairEstimator
     private readonly IReadOnlyList<FeatureMap> _maps;
     private readonly RigidTransform2 _toPart;
     private readonly List<PairPlace> _places = [];
-    private readonly List<PairFactor> _factors = [];
+    private readonly List<JointFactor> _factors = [];
 
     private PairEstimator(NcPath path, IReadOnlyList<FeatureMap> maps, RigidTransform2 toPart) =>
         (_path, _maps, _toPart) = (path, maps, toPart);
@@ -106,7 +106,7 @@ internal sealed class PairEstimator
             return;
         }
 
-        _factors.Add(PairFactor.Of(_places.Count, run.Field!.Together([.. places.Select(p => p.Terms)])));
+        _factors.Add(JointFactor.Of(_places.Count, run.Field!.Together([.. places.Select(p => p.Terms)])));
         foreach (var place in places)
         {
             var beyond = place.GapMm - place.KeptMm - place.ResidualMm;
@@ -120,7 +120,7 @@ internal sealed class PairEstimator
     }
 
     private bool IsFirstPass(RunEstimate run, ComparedPlace place) => place.Terms.All(
-        t => _maps.Any(m => ReferenceEquals(m.Passes[0], run.Run.Elements[t.Element].Pass)));
+        t => run.PassesOf(t).All(pass => _maps.Any(m => ReferenceEquals(m.Passes[0], pass))));
 
     private void Add(int feature, Point2 place, Vector2 normal, RunPath cuts, double nominalMm, double beyondMm, bool isBetween)
     {

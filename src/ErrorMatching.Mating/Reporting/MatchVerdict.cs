@@ -115,7 +115,10 @@ public sealed record MatchVerdict
             Worst = Largest(report.KeyPoints.Select(Left)),
             Tightest = judged.Select(Left).MinBy(e => e.MarginMm),
             WorstBetween = report.Features.Select(ErrorLeft.Between).OfType<ErrorLeft>()
-                .OrderBy(e => e.IsKnown).ThenByDescending(e => Math.Abs(e.MatingErrorMm)).FirstOrDefault(),
+                .OrderBy(e => e.IsKnown)
+                .ThenByDescending(e => e.Limits.WidthMm > 0 && !e.Limits.Contains(e.MatingErrorMm) ? Math.Abs(e.MatingErrorMm) : 0)
+                .ThenByDescending(e => Math.Abs(e.MatingErrorMm) + (e.Interval95Mm ?? 0))
+                .FirstOrDefault(),
             ProbabilityAfter = report.ProbabilityAfter,
         };
 

@@ -45,8 +45,8 @@ public sealed record MeasurementTrust(
             }
 
             judged.UnionWith(points.Select(p => p.Feature));
-            var found = run.Run.Elements.Count > 0
-                ? SuspectSearch.AlongCourse(run.Run.Elements, rows, u)
+            var found = run.Stretches.Count > 0
+                ? SuspectSearch.AlongCourse(run.Stretches, rows, u)
                 : SuspectSearch.AroundShape(points, [.. rows.Select(r => r.ValueMm)], u);
             suspects.AddRange(found.Select(s => new SuspectPoint(
                 job.Features[points[s.Row].Feature].Points[points[s.Row].Index],
@@ -62,7 +62,7 @@ public sealed record MeasurementTrust(
                 [.. decision.Features.SelectMany(f => f.Points).Select(p => p.Point)],
                 u,
                 job.CommonMotionMm ?? LargestLimit(job)),
-            ScatterRatio.Of([.. runs.Select(r => (r.Run.Elements, r.MeasuredRows().Rows))], u));
+            ScatterRatio.Of([.. runs.Select(r => (r.Stretches, r.MeasuredRows().Rows))], u));
     }
 
     // A job that may correct by the work offset expects parts that are shifted.

@@ -29,7 +29,7 @@ public sealed record ScatterRatio(double Ratio, double From, double To)
     /// <param name="runs">The elements of each run, and what its key points say.</param>
     /// <param name="uncertaintyMm">The stated standard uncertainty.</param>
     internal static ScatterRatio? Of(
-        IReadOnlyList<(IReadOnlyList<BoundaryElement> Elements, BoundaryRow[] Rows)> runs, double uncertaintyMm)
+        IReadOnlyList<(IReadOnlyList<Stretch> Elements, BoundaryRow[] Rows)> runs, double uncertaintyMm)
     {
         var told = runs.Where(r => r.Rows.Length >= Fewest && r.Elements.Count > 0).ToArray();
         if (told.Length == 0 || uncertaintyMm <= DeviationField.LeastUncertaintyMm)

@@ -38,7 +38,7 @@ internal static class SuspectSearch
     /// <param name="rows">What its key points say.</param>
     /// <param name="uncertaintyMm">Standard uncertainty of a row.</param>
     public static IReadOnlyList<Suspect> AlongCourse(
-        IReadOnlyList<BoundaryElement> elements, IReadOnlyList<BoundaryRow> rows, double uncertaintyMm) =>
+        IReadOnlyList<Stretch> elements, IReadOnlyList<BoundaryRow> rows, double uncertaintyMm) =>
         All(rows.Count, left => WorstAlongCourse(elements, [.. left.Select(i => rows[i])], uncertaintyMm), MostSigmas);
 
     /// <summary>Searches the points around a feature without a course, such as a bore: what they have in common is a shift, a turn and a
@@ -73,7 +73,7 @@ internal static class SuspectSearch
         return found;
     }
 
-    private static Suspect? WorstAlongCourse(IReadOnlyList<BoundaryElement> elements, BoundaryRow[] rows, double uncertaintyMm)
+    private static Suspect? WorstAlongCourse(IReadOnlyList<Stretch> elements, BoundaryRow[] rows, double uncertaintyMm)
     {
         var all = LeftOut(PriorChoice.Of(elements, rows, uncertaintyMm).OfPiece, rows, uncertaintyMm);
         return Enumerable.Range(0, rows.Length).OrderByDescending(i => Math.Abs(all[i].Off / all[i].Sigma)).Take(Tried).Select(i =>
@@ -86,7 +86,7 @@ internal static class SuspectSearch
     // The stated uncertainty may be too small: then all points scatter, and none is wrong. Of the noises that explain the others nearly as
     // well as the best one, the one that allows the point the most counts.
     private static (double Off, double Sigma) WithoutIt(
-        IReadOnlyList<BoundaryElement> elements, BoundaryRow[] rows, int row, double uncertaintyMm)
+        IReadOnlyList<Stretch> elements, BoundaryRow[] rows, int row, double uncertaintyMm)
     {
         BoundaryRow[] others = [.. rows.Where((_, k) => k != row)];
         double[] values = [.. others.Select(r => r.ValueMm)];
@@ -103,7 +103,7 @@ internal static class SuspectSearch
     }
 
     // The outermost point of a curve.
-    private static bool IsEnd(IReadOnlyList<BoundaryElement> elements, BoundaryRow[] rows, int row)
+    private static bool IsEnd(IReadOnlyList<Stretch> elements, BoundaryRow[] rows, int row)
     {
         if (rows[row].Terms is not [var own] || elements[own.Element].Form != ElementForm.Free)
         {

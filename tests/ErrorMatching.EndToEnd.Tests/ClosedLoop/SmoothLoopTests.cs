@@ -57,13 +57,14 @@ public sealed class SmoothLoopTests
         }
 
         Assert.InRange(Median(ratios), 1, onCorners ? 1.6 : 1.03 * Median(byPoints));
-        Assert.True(exceptions.Count <= Math.Max(1, Parts / 200), string.Join('\n', exceptions));
+        // The deviations of these parts may jump where two curves join. The estimate crosses such a joint, as a part that is cut in one go
+        // wants it, and rounds off the jump: that is one of the exceptions.
+        Assert.True(exceptions.Count <= Parts / 100, string.Join('\n', exceptions));
     }
 
     private static double Median(List<double> values) => values.Order().ElementAt(values.Count / 2);
 
-    // Half a 95 % interval about what a key point leaves, and about the worst place between two of them. That place is chosen because the
-    // estimate is large there, so its interval holds the truth less often.
+    // Half a 95 % interval about what a key point leaves, and about the worst place between two of them.
     [Fact]
     public void The_intervals_hold_what_is_left()
     {
@@ -91,6 +92,34 @@ public sealed class SmoothLoopTests
 
         Assert.InRange((double)pointsIn / points, 0.93, 0.97);
         Assert.InRange((double)placesIn / places, 0.87, 1);
+    }
+
+    // The bounds of all features together are to hold with 95 %, and 93 % are promised; of few parts, chance is allowed for. At the end of
+    // an element the true boundary of these parts jumps to that of the next one, and no path follows that.
+    [Fact]
+    public void The_bound_holds_the_largest_error_anywhere()
+    {
+        var (parts, held) = (0, 0);
+        for (var seed = 5000; seed < 5000 + (Parts / 2); seed++)
+        {
+            var part = SmoothPart.Generate(seed, onCorners: seed % 2 == 0, Noise);
+            var result = Assert.IsType<MatchResult>(Matcher.Match(SmoothMatch.Input(part)).Result);
+            PredictedError[] worst = [.. result.Prediction.Features.Select(f => f.WorstBetween).OfType<PredictedError>()];
+            if (worst.Length == 0 || !Array.TrueForAll(worst, w => w.IsKnown))
+            {
+                continue;
+            }
+
+            var (path, ends) = (SmoothMatch.PathOf(result.Program), part.Ends.ToArray());
+            var largest = part.Boundary.Where(b => Array.TrueForAll(ends, e => (e - b.Nominal).Length > 0.5))
+                .Max(b => Math.Abs(SmoothMatch.DistanceTo(path, b.Actual) - part.ToolRadius));
+            parts++;
+            held += largest <= worst.Max(w => w.BoundMm) ? 1 : 0;
+        }
+
+        Assert.True(parts > 0.9 * Parts / 2, $"{parts}");
+        var chance = Parts < 400 ? 3 * Math.Sqrt(parts * 0.93 * 0.07) : 0;
+        Assert.InRange(held, (0.93 * parts) - chance, parts);
     }
 
     // The part itself: the nominal program leaves the nominal boundary, and the best path the true one but for the bends of lines.

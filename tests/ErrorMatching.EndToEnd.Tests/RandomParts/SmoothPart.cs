@@ -84,6 +84,12 @@ internal sealed class SmoothPart
         }
     });
 
+    /// <summary>Where each element of the nominal boundary begins and ends.</summary>
+    public IEnumerable<Flat> Ends => _elements.SelectMany(e => new[]
+    {
+        e.Start - (e.NormalAt(0) * ToolRadius), e.End - (e.NormalAt(e.Length) * ToolRadius),
+    });
+
     /// <summary>The nominal path.</summary>
     public List<(Flat From, Flat To)> NominalPath() => PathOf(e => e.Nominal);
 

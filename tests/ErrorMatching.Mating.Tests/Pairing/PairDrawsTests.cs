@@ -129,7 +129,7 @@ public sealed class PairDrawsTests
         var (tilt, form, length) = (0.002 + (0.01 * random.NextDouble()), 0.003 * random.NextDouble(), 5 + (10 * random.NextDouble()));
         DeviationPrior[] priors = [
             .. Enumerable.Range(0, 4).Select(_ => new DeviationPrior(
-                new(new(0, 0, [0, Side], []), 0, 0, ElementForm.Straight), tilt, U, [])
+                new BoundaryElement(new(0, 0, [0, Side], []), 0, 0, ElementForm.Straight), tilt, U, [])
             {
                 Form = [(form * form, length)]
             })];
@@ -143,8 +143,8 @@ public sealed class PairDrawsTests
             .. Enumerable.Range(0, 4 * PerSide).Select(
                 k => (IReadOnlyList<RowTerm>)[new(k / PerSide, Side * (k % PerSide) / (PerSide - 1), 1)])];
 
-    private static PairFactor Factor(DeviationPrior[] priors, BoundaryRow[] rows) =>
-        PairFactor.Of(0, new DeviationField(priors, rows, U).Together(Places()));
+    private static JointFactor Factor(DeviationPrior[] priors, BoundaryRow[] rows) =>
+        JointFactor.Of(0, new DeviationField(priors, rows, U).Together(Places()));
 
     private static PairSample[] Samples(Func<int, double> gap)
     {

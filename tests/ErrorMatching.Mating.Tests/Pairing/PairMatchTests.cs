@@ -189,7 +189,7 @@ public sealed class PairMatchTests
         var motions = new PairMotions(
             [.. pair.Gaps.Select(g => g.Place)], [.. pair.Gaps.Select(g => g.Normal)], pair.Gaps.Max(g => Math.Abs(g.GapMm)));
         double[] gaps = [.. pair.Gaps.Select(g => g.GapMm)];
-        var factor = new PairFactor(
+        var factor = new JointFactor(
             0, [.. Enumerable.Range(1, 20).Select(c => gaps.Select((_, k) => 0.002 * Math.Sin(c * k * Math.PI / gaps.Length)).ToArray())]);
         var seat = PairSeat.Of(motions, gaps);
         var ways = liftsOff ? 1 : PairDraws.Of(motions, gaps, [factor]).Probability;

@@ -1,9 +1,9 @@
 namespace ErrorMatching.Mating;
 
-/// <summary>What is not known about the gaps at some places together: a few columns, each of which one random number scales.</summary>
+/// <summary>What is not known about some places of the boundary together: a few columns, each of which one random number scales.</summary>
 /// <param name="First">The first of the places.</param>
 /// <param name="Columns">The columns, each with a number for each place, mm.</param>
-internal sealed record PairFactor(int First, IReadOnlyList<double[]> Columns)
+internal sealed record JointFactor(int First, IReadOnlyList<double[]> Columns)
 {
     // What remains of the variance at a place, as a part of the largest one: 3 % of a standard deviation.
     private const double Remains = 1e-3;
@@ -12,7 +12,7 @@ internal sealed record PairFactor(int First, IReadOnlyList<double[]> Columns)
     /// deviations at hundreds of places need about as many columns as there are key points.</summary>
     /// <param name="first">The first of the places.</param>
     /// <param name="joint">What is known about them.</param>
-    public static PairFactor Of(int first, JointDeviation joint)
+    public static JointFactor Of(int first, JointDeviation joint)
     {
         var n = joint.Count;
         double[] left = [.. Enumerable.Range(0, n).Select(k => joint.Covariance(k, k))];
