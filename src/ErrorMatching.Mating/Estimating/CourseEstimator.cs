@@ -226,7 +226,7 @@ internal sealed class CourseEstimator
             ? WholeShape.Around(run, _path, pass).WorstOn(cutsBefore, cutsAfter, map.Feature.FormMm, limits, Risk)
             : PredictedError.Worst(
                 _elements[pass].Where(e => !IsKnown(e)).Select(e => run.WidestGap(e, cutsAfter))
-                    .Append(run.WorstAlong(_elements[pass].Where(IsKnown), cutsAfter, limits, Risk)).OfType<PredictedError>(),
+                    .Append(run.WorstAlong(_elements[pass].FindAll(IsKnown), cutsAfter, limits, Risk)).OfType<PredictedError>(),
                 limits);
         return new(
             points,

@@ -7,30 +7,23 @@ internal static class LargestError
     private const ulong Seed = 0x0F1E2D3C4B5A6978;
 
     // Draws, each with its mirror image. A quantile of 95 % is off by about 2 % of itself.
-    private const int Draws = 400;
+    private const int Draws = 2000;
 
     /// <summary>The value that the largest error, either way, exceeds with a given risk: boundaries are drawn from what is known about
     /// them, and the largest error of each is taken over all places.</summary>
     /// <param name="expectedMm">The expected errors.</param>
     /// <param name="unknown">What is not known about them: columns that one standard normal number scales each.</param>
-    /// <param name="freedom">Number of values that told the scale of the columns, 1 or more. It is not known better than they tell it, so
-    /// the errors follow Student's distribution.</param>
+    /// <param name="freedom">Number of values that told the scale of the columns, 1 or more: it is not known better than they tell it, so
+    /// the errors follow Student's distribution. Null for a scale that is known.</param>
     /// <param name="risk">The risk, above 0 and below 1.</param>
-    public static double BoundMm(IReadOnlyList<double> expectedMm, IReadOnlyList<double[]> unknown, int freedom, double risk)
+    public static double BoundMm(IReadOnlyList<double> expectedMm, IReadOnlyList<double[]> unknown, int? freedom, double risk)
     {
         var variates = new NormalVariates(Seed);
         var (off, largest) = (new double[expectedMm.Count], new double[2 * Draws]);
         for (var draw = 0; draw < Draws; draw++)
         {
             Array.Clear(off);
-            var squares = 0.0;
-            for (var k = 0; k < freedom; k++)
-            {
-                var variate = variates.Next();
-                squares += variate * variate;
-            }
-
-            var scale = Math.Sqrt(freedom / squares);
+            var scale = freedom is { } values ? Student(values) : 1;
             foreach (var column in unknown)
             {
                 var by = scale * variates.Next();
@@ -49,5 +42,18 @@ internal static class LargestError
 
         Array.Sort(largest);
         return largest[(int)Math.Ceiling((1 - risk) * largest.Length) - 1];
+
+        // A standard deviation over the one that so many values show.
+        double Student(int values)
+        {
+            var squares = 0.0;
+            for (var k = 0; k < values; k++)
+            {
+                var variate = variates.Next();
+                squares += variate * variate;
+            }
+
+            return Math.Sqrt(values / squares);
+        }
     }
 }

@@ -38,8 +38,15 @@ public sealed record PredictedError(Point2 Place, Vector2 Normal, double BeforeM
     /// perfect shape, and their uncertainty is not known.</summary>
     public bool IsKnown { get; init; } = true;
 
-    /// <summary>Half the 95 % interval about either error.</summary>
-    public double Interval95Mm => Factor95 * StandardUncertaintyMm;
+    /// <summary>Half the 95 % interval about either error. Of the worst place between points, an interval that holds the errors at all other
+    /// places, too.</summary>
+    public double Interval95Mm
+    {
+        get => _widened ?? (Factor95 * StandardUncertaintyMm);
+        init => _widened = value;
+    }
+
+    private readonly double? _widened;
 
     /// <summary>The largest error, either way, of the interval about <see cref="AfterMm"/>.</summary>
     public double BoundMm => Math.Abs(AfterMm) + Interval95Mm;
@@ -57,7 +64,7 @@ public sealed record PredictedError(Point2 Place, Vector2 Normal, double BeforeM
 
     /// <summary>The same error with an interval that reaches a bound, if it does not reach further already.</summary>
     internal PredictedError Within(double boundMm) => boundMm <= BoundMm ? this
-        : this with { StandardUncertaintyMm = (boundMm - Math.Abs(AfterMm)) / Factor95 };
+        : this with { Interval95Mm = boundMm - Math.Abs(AfterMm) };
 
     /// <summary>Writes it into the open object.</summary>
     internal void Write(ReportWriter w)
@@ -72,11 +79,19 @@ public sealed record PredictedError(Point2 Place, Vector2 Normal, double BeforeM
     }
 
     /// <summary>Reads what <see cref="Write"/> writes.</summary>
-    internal static PredictedError Read(ReportReader r) => new(
-        r.Point("place"), r.Vector("normal"), r.Number("uncompensatedMm"), r.Number("predictedMm"), r.OptionalNumber("uncertaintyMm") ?? 0)
+    internal static PredictedError Read(ReportReader r)
     {
-        IsKnown = r.OptionalFlag("known") ?? true,
-    };
+        var error = new PredictedError(
+            r.Point("place"),
+            r.Vector("normal"),
+            r.Number("uncompensatedMm"),
+            r.Number("predictedMm"),
+            r.OptionalNumber("uncertaintyMm") ?? 0)
+        {
+            IsKnown = r.OptionalFlag("known") ?? true,
+        };
+        return r.OptionalNumber("interval95Mm") is { } interval ? error with { Interval95Mm = interval } : error;
+    }
 }
 
 /// <summary>What was assumed about the deviation of an element before it was measured, chosen by the evidence of the key points.</summary>

@@ -267,8 +267,9 @@ internal sealed class RunEstimate
     /// <param name="limits">The limits of the error; null for none.</param>
     /// <param name="risk">The risk that an error anywhere is larger.</param>
     /// <returns>The error, its place in the program's frame; null if no element has two key points.</returns>
-    public PredictedError? WorstAlong(IEnumerable<BoundaryElement> elements, RunPath after, ToleranceBand? limits, double risk)
+    public PredictedError? WorstAlong(IReadOnlyList<BoundaryElement> elements, RunPath after, ToleranceBand? limits, double risk)
     {
+        int? freedom = elements.All(e => e.FormMm is not null) ? null : Math.Max(1, Points.Count - 1);
         var places = elements.SelectMany(e => Between(e).Select(at => (Element: e, At: at))).ToArray();
         PredictedError[] errors = [.. places.Select(p => ErrorBetween(p.Element, p.At, ErrorBetween(p.Element, after, p.At)))];
         if (PredictedError.Worst(errors, limits) is not { } worst)
@@ -277,7 +278,7 @@ internal sealed class RunEstimate
         }
 
         var unknown = JointFactor.Of(0, Field!.Together([.. places.Select(p => (IReadOnlyList<RowTerm>)[TermOf(p.Element, p.At, 1)])]));
-        return worst.Within(LargestError.BoundMm([.. errors.Select(e => e.AfterMm)], unknown.Columns, Math.Max(1, Points.Count - 1), risk));
+        return worst.Within(LargestError.BoundMm([.. errors.Select(e => e.AfterMm)], unknown.Columns, freedom, risk));
     }
 
     /// <summary>The middle between the two neighboring key points of an element that are furthest apart, where one more would tell most

@@ -121,8 +121,7 @@ internal sealed record WholeShape
 
         var form = statedMm ?? _formMm;
         double[][] unknown = [.. Factor(Places), .. FormColumns(form)];
-        var freedom = Math.Max(1, _points.Count - _mean.Count);
-        return worst.Within(LargestError.BoundMm([.. errors.Select(e => e.AfterMm)], unknown, freedom, risk));
+        return worst.Within(LargestError.BoundMm([.. errors.Select(e => e.AfterMm)], unknown, null, risk));
 
         IEnumerable<double[]> FormColumns(double mm) => Enumerable.Range(2, FormWaves).SelectMany(n => new[] { 0.0, Math.PI / 2 }.Select(
             phase => Places.Select((_, k) => mm / Math.Sqrt(FormWaves) * Elementary.Cos((2 * Math.PI * n * k / Places.Count) - phase))
