@@ -11,7 +11,7 @@ namespace ErrorMatching.Freeform;
 /// <param name="TurnDegrees">The turn, as small angles about X, Y and Z.</param>
 /// <param name="Explains">Its share in the sum of squares of the errors, 0 to 1.</param>
 /// <param name="IsSignificant">True if noise makes as much with a probability of less than one in a thousand.</param>
-/// <param name="LargestMm">How far it moves a point, at most.</param>
+/// <param name="LargestMm">How far it moves a point off the surface, at most: along the surface, the points hardly tell it.</param>
 /// <param name="MostMm">The distance beyond which it asks whether the origin is right.</param>
 public sealed record SurfaceMotion(
     Vector3 ShiftMm, Vector3 TurnDegrees, double Explains, bool IsSignificant, double LargestMm, double MostMm)
@@ -95,7 +95,7 @@ public sealed record SurfaceMotion(
             turn * Degrees,
             explained / squares,
             noise > 0 && ChiSquaredDistribution.Above(explained / (noise * noise), told) < Risk,
-            samples.Max(s => (shift + turn.Cross(s.Nominal - center)).Length),
+            samples.Max(s => Math.Abs(s.Normal.Dot(shift + turn.Cross(s.Nominal - center)))),
             mostMm)
         {
             ShiftUncertaintyMm = new(uncertainties[0], uncertainties[1], uncertainties[2]),

@@ -14,7 +14,6 @@ internal sealed class FreeformJobReader(JsonItem root)
     public FreeformJob Read(string file, string sha256)
     {
         var (measuring, compensation) = (ReadMeasuring(root["measuring"]), ReadMirror());
-        var profile = ReadProfile(measuring, compensation);
         return new()
         {
             File = file,
@@ -28,8 +27,8 @@ internal sealed class FreeformJobReader(JsonItem root)
             Fit = ReadFit(),
             Toolpath = ReadToolpath(root["toolpath"]),
             Compensation = compensation,
-            Profile = profile,
-            CommonMotionMm = root.Find("commonMotionMm")?.Number ?? (profile?.WidthMm ?? compensation.LimitMm) / 2,
+            Profile = ReadProfile(measuring, compensation),
+            CommonMotionMm = root.Find("commonMotionMm")?.Number ?? compensation.LimitMm / 2,
             Places = Named().OfType<JsonItem>().ToDictionary(i => i.Path, i => i.Place),
         };
     }

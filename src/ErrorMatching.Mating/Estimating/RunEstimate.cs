@@ -363,8 +363,8 @@ internal sealed class RunEstimate
         }
     }
 
-    // The places on an element at which the boundary is compared: between its outermost key points, and up to the elements that it meets. In
-    // a hollow corner the end of one is cut away with the other.
+    // The places on an element at which the boundary is compared: between its outermost key points, and up to the elements that it meets.
+    // In a hollow corner the end of one is cut away with the other.
     private IEnumerable<double> Between(BoundaryElement element)
     {
         var (index, offset) = StretchOf(element);

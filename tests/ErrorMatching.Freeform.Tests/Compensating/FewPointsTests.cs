@@ -10,7 +10,7 @@ public sealed class FewPointsTests
     private static readonly MeasuredDesign[] Plans = [Plan(3, 4), Plan(4, 4), Plan(5, 5), Plan(4, 7)];
 
     // Neither of a field nor of noise, whatever is stated of a point, is more left at the points than by mirroring each point's own error.
-    // What the noise of a point makes of either is the same for both; the smooth fields gain, and none loses more than a tenth of the noise.
+    // Smooth fields gain, and none loses more than a fifth of what the noise leaves.
     [Theory]
     [InlineData(0.000125, 0.000125)]
     [InlineData(0.000125, 0.001)]
@@ -39,7 +39,7 @@ public sealed class FewPointsTests
                 }
 
                 Assert.True(
-                    Math.Sqrt(own) <= 1.1 * Math.Sqrt(mirror),
+                    Math.Sqrt(own) <= 1.2 * Math.Sqrt(mirror),
                     $"{piece.Plan.Points.Count} points, {family.Name}: {Math.Sqrt(own)} after {Math.Sqrt(mirror)}");
             }
         }
@@ -124,13 +124,16 @@ public sealed class FewPointsTests
     public void A_wave_that_the_points_cannot_hold_is_warned_of()
     {
         var piece = Plans[2];
-        var wave = piece.Compensate(piece.With((u, v) => 0.004 * Math.Sin((2 * Math.PI * 1.7 * u) + 0.4) * Math.Cos(2 * Math.PI * 1.7 * v)));
+        var wave = piece.Compensate(piece.With(Wave(1.7)));
         Assert.Equal(["2.4"], Assert.Single(wave.Result!.Warnings, w => w.Code == "few-points-for-wave").Values);
-        var longer = piece.Compensate(piece.With((u, v) => 0.004 * Math.Sin((2 * Math.PI * 1.2 * u) + 0.4) * Math.Cos(2 * Math.PI * 1.2 * v)));
+        var longer = piece.Compensate(piece.With(Wave(1.2)));
         Assert.DoesNotContain(longer.Result!.Warnings, w => w.Code == "few-points-for-wave");
         Assert.DoesNotContain(
             piece.Compensate(piece.With(MeasuredDesign.Tilted)).Result!.Warnings,
             w => w.Code is "points-too-far-apart" or "few-points-for-wave");
+
+        static Func<double, double, double> Wave(double waves) => (u, v) =>
+            0.004 * Math.Sin((2 * Math.PI * waves * u) + 0.4) * Math.Cos(2 * Math.PI * waves * v);
     }
 
     [Fact]

@@ -84,7 +84,8 @@ public sealed class SurfaceMotionTests
     }
 
     private static Point3 Center(MeasuredDesign piece) => default(Point3)
-        + (piece.Plan.Points.Aggregate(default(Vector3), (sum, p) => sum + (p.Position - default(Point3))) * (1.0 / piece.Plan.Points.Count));
+        + (piece.Plan.Points.Aggregate(default(Vector3), (sum, p) => sum + (p.Position - default(Point3)))
+            * (1.0 / piece.Plan.Points.Count));
 
     private static MeasuredPoints Moved(MeasuredDesign piece, Func<Point3, Vector3> by)
     {

@@ -57,7 +57,8 @@ public sealed class JoinedCurvesTests
             {"kind": "mating", "name": "two", "part": {"theoretical": "t.csv", "measured": "m.csv"},
              "alignment": {"kind": "none"}, "gauge": {"format": "points", "uncertaintyMm": 0.0005},
              "features": [
-               {"name": "one", "kind": "curve", "points": ["P0", "P1", "P2", "P3", "P4", "P5", "P6"], "blocks": ["N1..N40"], "toleranceMm": [-0.01, 0.01]},
+               {"name": "one", "kind": "curve", "points": ["P0", "P1", "P2", "P3", "P4", "P5", "P6"], "blocks": ["N1..N40"],
+                "toleranceMm": [-0.01, 0.01]},
                {"name": "other", "kind": "curve", "points": ["P7", "P8", "P9", "P10", "P11", "P12", "P13"], "blocks": ["N41..N80"],
                 "toleranceMm": [-0.01, 0.01]}],
              "counterpart": {"program": "c.nc", "dialect": "fanuc", "toolDiameterMm": 10,
