@@ -18,6 +18,9 @@ public sealed record VerifyReport(
     /// versions.</summary>
     public double? UncertaintyMm { get; init; }
 
+    /// <summary>The two measured pieces, assembled; null if their outline does not tell, and in reports of earlier versions.</summary>
+    public PairAssembly? Pair { get; init; }
+
     /// <summary>The rule by which points are accepted near their limits; null in reports of earlier versions.</summary>
     public DecisionRule? Rule { get; init; }
 

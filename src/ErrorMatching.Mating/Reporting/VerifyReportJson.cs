@@ -18,6 +18,7 @@ public static class VerifyReportJson
         return ReportWriter.Document(Schema, w =>
         {
             w.Object("verdict", () => report.Verdict.Write(w));
+            w.Optional("pair", report.Pair, p => p.Write(w));
             w.Job("mating", report.Job);
             w.Inputs(report.Inputs);
             RuleWords.Write(w, report.Rule);
@@ -53,6 +54,7 @@ public static class VerifyReportJson
         {
             IsBeforeMeasured = document.Flag("beforeMeasured"),
             UncertaintyMm = document.OptionalNumber("uncertaintyMm"),
+            Pair = document.OptionalObject("pair") is { } pair ? PairAssembly.Read(pair) : null,
             Rule = RuleWords.Read(document),
         };
     }

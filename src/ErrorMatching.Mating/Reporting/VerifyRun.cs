@@ -76,7 +76,27 @@ public static class VerifyRun
             IsBeforeMeasured = input.Before is not null,
             UncertaintyMm = job.Gauge.Uncertainty.CombinedMm * Math.Sqrt(2),
             Rule = job.Rule,
+            Pair = Pair(input, path, maps, part, after),
         };
+    }
+
+    // What the part differs from the measured counterpart, as in feedback: the boundary of the counterpart is that of its program, and the
+    // differences are the part's.
+    private static PairAssembly? Pair(
+        VerifyInput input, NcPath path, IReadOnlyList<FeatureMap> maps, AlignedMeasurement part, AlignedMeasurement after)
+    {
+        var job = input.Job with
+        {
+            Compensation = input.Job.Compensation with { From = CompensationSource.Counterpart }
+        };
+        var points = maps.Select(map => (IReadOnlyList<BoundaryPoint>)[.. map.Feature.Points.Select((label, i) =>
+            new BoundaryPoint(label, after.Points[label], part.Points[label] - (map.Feature.GapMm * map.Normals[i]), map.Normals[i])
+            {
+                GapMm = map.Feature.GapMm,
+            })]).ToArray();
+        var estimator = new CourseEstimator(job, path, maps, Decider.Decide(job, points), input.Theoretical);
+        estimator.Predict(path);
+        return PairEstimator.Of(path, maps, estimator, job.Counterpart.Frame.Inverse(), r => r.OnCuts(path));
     }
 
     private static VerifiedBoundary Boundary(VerifyInput input, NcPath path, FeatureMap map)

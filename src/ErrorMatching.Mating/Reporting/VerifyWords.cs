@@ -29,6 +29,16 @@ public static class VerifyWords
         };
     }
 
+    /// <summary>Whether the two measured pieces go together.</summary>
+    /// <param name="pair">The pair.</param>
+    /// <param name="report">The report with its limits.</param>
+    public static string Of(PairAssembly pair, VerifyReport report)
+    {
+        ArgumentNullException.ThrowIfNull(pair);
+        ArgumentNullException.ThrowIfNull(report);
+        return PairWords.Of(pair, [.. report.Result.Boundaries.Select(b => b.ErrorBand)]);
+    }
+
     /// <summary>The risk that a point truly is outside its limits; null if it is not known.</summary>
     public static string? Risk(VerifyVerdict verdict)
     {

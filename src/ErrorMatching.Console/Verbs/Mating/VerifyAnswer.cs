@@ -41,6 +41,11 @@ internal sealed class VerifyAnswer(VerifyReport report, PieceResult piece, strin
             page.Line(risk);
         }
 
+        if (report.Pair is { } pair)
+        {
+            page.Line(VerifyWords.Of(pair, report));
+        }
+
         page.Line();
         page.Line(
             $"{report.Job.Name}: the largest mating error was {Show.Mm(report.Result.MaxBeforeMm)} mm before and is "

@@ -19,7 +19,11 @@ public static class MatchReportHtml
             [
                 new("pictures", "Before and after", html => MatchPictures.Write(html, report)),
                 .. report.Pair is { Gaps.Count: > 0 } pair
-                    ? (PageSection[])[new("pair", "The pair, assembled", html => MatchPair.Write(html, pair))]
+                    ? (PageSection[])[
+                        new(
+                            "pair",
+                            "The pair, assembled",
+                            html => PairFigure.Write(html, pair, "the counterpart that the program will cut"))]
                     : [],
                 new("summary", "Summary", html => MatchSummary.Write(html, report)),
                 new("decisions", "Decisions", html => MatchDecisions.Write(html, report)),

@@ -15,6 +15,13 @@ public static class VerifyReportHtml
             report.Job,
             "counterpart against part",
             [
+                .. report.Pair is { Gaps.Count: > 0 } pair
+                    ? (PageSection[])[
+                        new(
+                            "pair",
+                            "The pair, assembled",
+                            html => PairFigure.Write(html, pair, "the counterpart as both were measured"))]
+                    : [],
                 new("summary", "Summary", html => VerifySummary.Write(html, report)),
                 new("features", "Features", html => VerifyTables.WriteFeatures(html, report.Result)),
                 new("pictures", "Before and after", html => VerifyPictures.Write(html, report)),

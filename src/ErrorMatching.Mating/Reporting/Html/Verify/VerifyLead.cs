@@ -22,5 +22,10 @@ internal static class VerifyLead
                 html.Text(" " + risk);
             }
         }
+
+        if (report.Pair is { } pair)
+        {
+            html.Put("p", VerifyWords.Of(pair, report));
+        }
     }
 }

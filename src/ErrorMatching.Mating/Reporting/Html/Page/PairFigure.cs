@@ -2,10 +2,14 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>The section with the picture of the pair, assembled.</summary>
-internal static class MatchPair
+/// <summary>The picture of a pair, assembled.</summary>
+internal static class PairFigure
 {
-    public static void Write(HtmlText html, PairAssembly pair)
+    /// <summary>Writes the picture with its caption.</summary>
+    /// <param name="html">The output.</param>
+    /// <param name="pair">The pair.</param>
+    /// <param name="counterpart">The counterpart in words: "the counterpart as measured".</param>
+    public static void Write(HtmlText html, PairAssembly pair, string counterpart)
     {
         using (html.In("figure"))
         {
@@ -18,8 +22,8 @@ internal static class MatchPair
             html.Put(
                 "figcaption",
                 (pair.TightestMm is null
-                    ? "The part pressed home into the counterpart that the program will cut."
-                    : "The part where it has the most air at the tightest place of the counterpart that the program will cut.")
+                    ? $"The part pressed home into {counterpart}."
+                    : $"The part where it has the most air at the tightest place of {counterpart}.")
                 + " A dot is where they touch, or where the air is least."
                 + (PairWords.Play(pair) is { } play ? " " + play : ""));
         }
