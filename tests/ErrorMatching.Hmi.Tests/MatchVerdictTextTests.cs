@@ -112,7 +112,7 @@ public sealed class MatchVerdictTextTests
         Assert.All(new PieceDetail(measured, [measured]).Points, p => Assert.DoesNotContain("±", p.After, StringComparison.Ordinal));
         var older = Detail(Sample.Older(), CorrectionState.Proposed);
         Assert.Equal(Sample.KeyPoints.Select(p => Shown.SignedMm(p.PredictedMm)), older.Points.Select(p => p.LeftOver));
-        Assert.Equal("Worst at the points: +0.0204 mm at point 11 of C1.", Spaced(older.LeftOver!));
+        Assert.Equal("Worst at the points: +0.0204 mm at point 11 of C1. The part can be lifted off.", Spaced(older.LeftOver!));
         Assert.Equal("With compensation, as predicted: at most 0.0204 mm", Spaced(older.AfterCaption));
     });
 
@@ -145,6 +145,33 @@ public sealed class MatchVerdictTextTests
     {
         KeyPoints = [.. report.KeyPoints.Select(p => p with { Interval95Mm = p.Interval95Mm is null ? null : 1.96 * 0.0054 })]
     };
+
+    // A bore and a boss, by hand; in English as the report and the console say it.
+    [Theory]
+    [InlineData(0.02, 1, true, 1)]
+    [InlineData(0.02, 0.75, true, 2)]
+    [InlineData(-0.02, 0.1, false, 1)]
+    [InlineData(-0.2, 0, false, 2)]
+    [InlineData(0, 0.4, false, 1)]
+    public Task Whether_the_pair_goes_together_is_said_as_in_the_report(double tightest, double probability, bool assembles, int places) =>
+        InAsync(Language.English, () =>
+        {
+            var pair = new PairAssembly
+            {
+                Assembles = assembles,
+                Probability = probability,
+                TightestMm = tightest,
+                Interval95Mm = new(tightest - 0.003, tightest + 0.003),
+                Contacts = [.. Enumerable.Range(0, places).Select(i => new PairContact(new(i, 0), "B1", $"N{120 + i}"))],
+            };
+            ToleranceBand[] limits = [new(-0.05, 0.05)];
+            var english = PairText.Of(pair, limits);
+            Assert.Equal(PairWords.Of(pair, limits), Plain(english));
+            Texts.Current.Language = Language.TraditionalChinese;
+            var chinese = PairText.Of(pair, limits);
+            Assert.Contains("N120", chinese, StringComparison.Ordinal);
+            Assert.DoesNotContain("together", chinese, StringComparison.Ordinal);
+        });
 
     // The console has hyphens for minus signs, and no spaces that keep a line together.
     private static string? Plain(string? text) => text is null ? null : Spaced(text).Replace('−', '-');

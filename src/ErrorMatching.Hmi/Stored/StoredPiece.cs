@@ -49,6 +49,9 @@ public sealed record StoredPiece(
     /// <summary>That of the largest error with compensation; null if it is not known.</summary>
     public double? LargestInterval95Mm => Interval95Mm(Result.WorstAfter.Label);
 
+    /// <summary>The part and the measured counterpart, assembled; null if they do not tell, and for a predicted piece.</summary>
+    public PairAssembly? Pair { get; private init; }
+
     /// <summary>The verdict on the counterpart that was measured; null while the result is predicted.</summary>
     public VerifyVerdict? Verdict { get; init; }
 
@@ -89,6 +92,7 @@ public sealed record StoredPiece(
         {
             Before = report.Before,
             Verdict = report.Verdict,
+            Pair = report.Pair,
         };
     }
 }

@@ -75,7 +75,10 @@ internal sealed class PieceDetail : Observable
 
     /// <summary>Whether all errors are within their limits, and which are not; once the counterpart is measured, with the risk.</summary>
     public string Verdict => _piece.Verdict is { } verdict
-        ? Sentence.Joined(VerifyVerdictText.Of(verdict), PushedOutOf(_piece))
+        ? Sentence.Joined(
+            VerifyVerdictText.Of(verdict),
+            _piece.Pair is { } pair ? PairText.Of(pair, _piece.Result.Boundaries.Select(b => b.ErrorBand)) : "",
+            PushedOutOf(_piece))
         : VerdictOf(_piece);
 
     /// <summary>Number of warnings of its correction; null if there are none, or if the correction is unknown.</summary>

@@ -1,0 +1,35 @@
+using ErrorMatching.Geometry;
+using ErrorMatching.Mating;
+
+namespace ErrorMatching.Hmi;
+
+/// <summary>Whether two pieces go together, in the display language: the numbers, and in English the words, of the report and the
+/// console.</summary>
+internal static class PairText
+{
+    /// <summary>How surely they do, and with how much air or overlap where.</summary>
+    /// <param name="pair">The pair.</param>
+    /// <param name="limits">The limits of the mating error, of each feature.</param>
+    public static string Of(PairAssembly pair, IEnumerable<ToleranceBand> limits)
+    {
+        ArgumentNullException.ThrowIfNull(pair);
+        var texts = Texts.Current;
+        string[] blocks = [.. pair.Contacts.Select(c => c.Block).Distinct(StringComparer.Ordinal)];
+        var places = VerdictParts.Names(blocks);
+        if (pair.TightestMm is not { } tightest)
+        {
+            return texts["Pair.LiftsOff"];
+        }
+
+        var half = pair.Interval95Mm is { } interval ? (interval.To - interval.From) / 2 : (double?)null;
+        var (probability, size) = (VerdictParts.Percent(pair.Probability), Shown.MmAsKnown(tightest, half));
+        return (pair.Assembles, tightest < 0) switch
+        {
+            (true, false) => texts.Counted("Pair.Together", blocks.Length, probability, size, places),
+            (true, true) => texts.Counted("Pair.Together", blocks.Length, probability, Shown.MmAsKnown(0, half), places),
+            (false, true) when pair.IsWithin(limits) => texts.With("Pair.WithPressure", probability, size, places),
+            (false, true) => texts.With("Pair.NotTogether", probability, size, places),
+            (false, false) => texts.With("Pair.NoAir", probability, places),
+        };
+    }
+}
