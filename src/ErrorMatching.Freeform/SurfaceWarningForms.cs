@@ -83,7 +83,8 @@ public static class SurfaceWarningForms
     public static SentenceForm CheckOrigin { get; } = new(
         "check-origin",
         "One motion of the whole piece (x {0}, y {1}, z {2} mm; turned by {3}°, {4}°, {5}° about X, Y, Z) explains {6} % of what was "
-            + "measured, and moves a point off the surface by {7} mm, more than {8} mm: is the origin right? If it is, the compensation is, too.");
+            + "measured, and moves a point off the surface by {7} mm, more than {8} mm: is the origin right? If it is, the compensation "
+            + "is, too.");
 
     /// <summary>Probability of noise with its sign of equality, and the compensated mean in um.</summary>
     public static SentenceForm OnlyMean { get; } = new(

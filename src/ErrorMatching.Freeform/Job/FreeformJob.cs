@@ -55,8 +55,8 @@ public sealed record FreeformJob
     /// <summary>The tolerance that the surface is judged by; null if the job states none.</summary>
     public ProfileTolerance? Profile { get; init; }
 
-    /// <summary>A motion of the whole piece that moves a point off the surface by more than this, in millimeters, asks whether the origin is
-    /// right: half of what may be compensated, if not given.</summary>
+    /// <summary>A motion of the whole piece that moves a point off the surface by more than this, in millimeters, asks whether the origin
+    /// is right: half of what may be compensated, if not given.</summary>
     public required double CommonMotionMm { get; init; }
 
     internal IReadOnlyDictionary<string, JsonPlace> Places { get; init; } = new Dictionary<string, JsonPlace>();

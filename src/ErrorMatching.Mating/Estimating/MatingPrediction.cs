@@ -38,8 +38,8 @@ public sealed record PredictedError(Point2 Place, Vector2 Normal, double BeforeM
     /// perfect shape, and their uncertainty is not known.</summary>
     public bool IsKnown { get; init; } = true;
 
-    /// <summary>Half the 95 % interval about either error. Of the worst place between points, one that holds the errors at all other places,
-    /// too.</summary>
+    /// <summary>Half the 95 % interval about either error. Of the worst place between points, one that holds the errors at all other
+    /// places, too.</summary>
     public double Interval95Mm
     {
         get => _widened ?? (Factor95 * StandardUncertaintyMm);
