@@ -204,7 +204,8 @@ public sealed class ProgramSender(
             await SettleAsync(program, found, cancellation).ConfigureAwait(false);
     }
 
-    // What is stored nowhere else is a last-moment change: it gets the program's name. A free name gets the old program.
+    // What is stored nowhere else is a last-moment change: it gets the program's name. A free name gets the old program, or the new one
+    // that a frozen sender took away: both are stored, and the sender then checks what the machine has.
     private async Task SettleAsync(string program, List<AsideProgram> found, CancellationToken cancellation)
     {
         var changes = found.Where(f => !isKept(HashOf(f.Was)!)).ToArray();
@@ -213,14 +214,14 @@ public sealed class ProgramSender(
 
         var there = await folder.ReadAsync(program, MostBytes, cancellation).ConfigureAwait(false);
         var first = changes.Length > 0 ? changes[0] : found[0];
-        var isOne = (changes.Length > 0 ? changes : [.. found]).All(f => AreSame(f.Was, first.Was));
+        var isOne = changes.All(f => AreSame(f.Was, first.Was));
         if (there is null || (changes.Length > 0 && !AreSame(there, first.Was)))
         {
             if (!isOne || (there is not null && !isKept(HashOf(there)!)))
                 throw new ChangedAtMachineException(first.Was, Recorded.ChangedTwice.With(program, folder.Machine, first.Name));
             await PutBackAsync(program, first, MachinePrograms.Content(there), cancellation).ConfigureAwait(false);
         }
-        else if (!isOne && changes.Length > 0)
+        else if (!isOne)
         {
             throw new ChangedAtMachineException(first.Was, Recorded.ChangedTwice.With(program, folder.Machine, first.Name));
         }

@@ -1,3 +1,5 @@
+using System.Reflection;
+using System.Runtime.Loader;
 using System.Security.Cryptography;
 using System.Text;
 using ErrorMatching.Testing;
@@ -81,6 +83,117 @@ public sealed class FrozenSenderTests
         Assert.True(kind == StepKind.Refuses ? taken > 0 : taken == 0);
     }
 
+    // The frozen sender goes on in the middle of the standby's work: before each of its steps, and with a change that a person makes in the
+    // same moment. Where a name can only be taken over, what is changed between the last look and that is lost on any server.
+    [Theory]
+    [InlineData(StepKind.Exchanges, false)]
+    [InlineData(StepKind.Exchanges, true)]
+    [InlineData(StepKind.Links, false)]
+    [InlineData(StepKind.Links, true)]
+    [InlineData(StepKind.Replaces, false)]
+    [InlineData(StepKind.Replaces, true)]
+    [InlineData(StepKind.Refuses, false)]
+    [InlineData(StepKind.Refuses, true)]
+    public async Task A_sender_that_goes_on_between_two_steps_of_the_standby_finds_nothing(StepKind kind, bool isEdited)
+    {
+        var (frozenSteps, steps, edits) = (0, 0, 0);
+        for (var (step, at) = (0, 0); ;)
+        {
+            Assert.InRange(step, 0, MostSteps);
+            Assert.InRange(at, 0, 2 * MostSteps);
+            var files = new Dictionary<string, byte[]>(StringComparer.Ordinal) { [Program] = Old };
+            var frozen = new SteppedFolder(files, kind) { FreezesAt = step };
+            var sending = SendAsync(new ProgramSender(frozen, Keeps), Old, Mine);
+            if (!await frozen.IsFrozenAsync(sending))
+            {
+                await sending;
+                break;
+            }
+
+            frozen.IsFenced = true;
+            var standby = new SteppedFolder(files, kind) { FreezesAt = at };
+            var taking = TakeOverAsync(standby);
+            if (!await standby.IsFrozenAsync(taking))
+            {
+                await taking;
+                frozen.Thaw();
+                await sending;
+                (frozenSteps, step, at) = (frozenSteps + 1, step + 1, 0);
+                continue;
+            }
+
+            var isOpen = kind is StepKind.Links or StepKind.Replaces && (Takes(frozen) || Takes(standby));
+            var changes = isEdited && !isOpen && files.ContainsKey(Program);
+            if (changes)
+            {
+                edits++;
+                files[Program] = Edited;
+            }
+
+            frozen.Thaw();
+            await sending;
+            standby.Thaw();
+            var isSent = await taking;
+            var where = $"{kind}: {step}, {frozen.Last}; {at}, {standby.Last}: "
+                + string.Join(", ", files.Select(f => $"{f.Key}={Encoding.ASCII.GetString(f.Value)}"));
+            if (changes)
+            {
+                Assert.True(files.Values.Any(f => Same(f, Edited)), where);
+            }
+            else
+            {
+                var failure = await Record.ExceptionAsync(
+                    () => new ProgramSender(new SteppedFolder(files, kind), Keeps).RecoverAsync(Program, Token));
+                Assert.True(failure is null, $"{where}: {failure?.Message}");
+                Assert.Equal([Program], files.Keys);
+
+                // The one step that is left takes the program away under the standby's hands. It says so, and people see it.
+                if (isSent) Assert.True(Same(files[Program], Next), where);
+                else Assert.True(kind == StepKind.Refuses && SetsAside(frozen) && Same(files[Program], Old), where);
+            }
+
+            (steps, at) = (steps + 1, at + 1);
+        }
+
+        Assert.InRange(frozenSteps, 5, MostSteps);
+        Assert.InRange(steps, 5 * frozenSteps, int.MaxValue);
+        Assert.Equal(isEdited, edits > steps / 2);
+
+        static bool Takes(SteppedFolder folder) => folder.Last == "take " + Program;
+
+        static bool SetsAside(SteppedFolder folder) => folder.Last.EndsWith(".emold", StringComparison.Ordinal);
+    }
+
+    // In the moment of the exchange itself: what was exchanged is compared, and gets its place back, also if the cell keeps it, and a
+    // program that was set aside and that the cell keeps would be deleted.
+    [Theory]
+    [InlineData(StepKind.Exchanges, false)]
+    [InlineData(StepKind.Exchanges, true)]
+    [InlineData(StepKind.Refuses, false)]
+    [InlineData(StepKind.Refuses, true)]
+    public async Task A_change_in_the_moment_of_the_exchange_gets_its_name_back(StepKind kind, bool isKept)
+    {
+        var files = new Dictionary<string, byte[]>(StringComparer.Ordinal) { [Program] = Old };
+        var edits = 0;
+        var folder = new SteppedFolder(files, kind)
+        {
+            Stepping = name =>
+            {
+                if ((kind == StepKind.Exchanges ? name == "take " + Program : name.EndsWith(".emold", StringComparison.Ordinal))
+                    && edits++ == 0)
+                {
+                    files[Program] = Edited;
+                }
+            },
+        };
+        var sender = new ProgramSender(folder, h => Keeps(h) || (isKept && h == Hash(Edited)));
+        var failure = await Assert.ThrowsAsync<ChangedAtMachineException>(() => sender.SendAsync(Program, Hash(Old), Mine, "1", Token));
+        Assert.Equal(Edited, failure.Found);
+        Assert.Equal([Program], files.Keys);
+        Assert.Equal(Edited, files[Program]);
+        Assert.True(edits > 0);
+    }
+
     // The same with the system's own renames in a folder.
     [Fact]
     public async Task A_sender_frozen_at_any_step_in_a_folder_finds_nothing_when_it_goes_on()
@@ -150,6 +263,32 @@ public sealed class FrozenSenderTests
         Assert.False(ProgramNames.Allows(one) || ProgramNames.Allows(ProgramNames.Old(one)));
     }
 
+    // Two processes, both with their first attempt: the assembly is loaded twice.
+    [Fact]
+    public void Names_of_two_processes_first_attempts_differ()
+    {
+        var names = Enumerable.Range(0, 2).Select(_ => FirstName()).ToArray();
+        Assert.All(names, n => Assert.EndsWith("-1.emnew", n, StringComparison.Ordinal));
+        Assert.All(names, n => Assert.True(ProgramNames.IsNewOf(Program, n)));
+        Assert.NotEqual(names[0], names[1]);
+
+        static string FirstName()
+        {
+            var context = new AssemblyLoadContext(null, isCollectible: true);
+            try
+            {
+                return (string)context.LoadFromAssemblyPath(typeof(ProgramNames).Assembly.Location)
+                    .GetType(typeof(ProgramNames).FullName!)!
+                    .GetMethod(nameof(ProgramNames.New), BindingFlags.NonPublic | BindingFlags.Static)!
+                    .Invoke(null, [Program, "17"])!;
+            }
+            finally
+            {
+                context.Unload();
+            }
+        }
+    }
+
     private static async Task SendAsync(ProgramSender sender, byte[] replaces, byte[] bytes)
     {
         try
@@ -161,6 +300,34 @@ public sealed class FrozenSenderTests
         {
             // Whatever it says: the machine is what matters.
         }
+    }
+
+    // What a process does that takes the slot over: true once the program is sent. What a person changed is left to people.
+    private static async Task<bool> TakeOverAsync(SteppedFolder folder)
+    {
+        var sender = new ProgramSender(folder, Keeps);
+        for (var tries = 0; tries < 3; tries++)
+        {
+            try
+            {
+                await Task.Yield();
+                await sender.RecoverAsync(Program, CancellationToken.None);
+                var found = await sender.CurrentAsync(Program, CancellationToken.None);
+                if (found is null || Keeps(Hash(found)!))
+                    await sender.SendAsync(Program, Hash(found), Next, "2", CancellationToken.None);
+                return true;
+            }
+            catch (ChangedAtMachineException)
+            {
+                return false;
+            }
+            catch (TransportException)
+            {
+                // As the cell does, it looks again from the start.
+            }
+        }
+
+        throw new InvalidOperationException("Three tries were not enough.");
     }
 
     private static bool Keeps(string hash) => hash == Hash(Old) || hash == Hash(Mine) || hash == Hash(Next);
