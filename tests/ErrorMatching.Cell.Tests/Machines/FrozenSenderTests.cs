@@ -194,6 +194,31 @@ public sealed class FrozenSenderTests
         Assert.True(edits > 0);
     }
 
+    // A person saves once more in the moment in which an earlier change gets its name back: both are there afterward.
+    [Theory]
+    [InlineData(StepKind.Exchanges)]
+    [InlineData(StepKind.Refuses)]
+    public async Task A_change_in_the_moment_in_which_another_gets_its_name_back_is_not_lost(StepKind kind)
+    {
+        byte[] later = [.. Edited, .. "(later)"u8];
+        var files = new Dictionary<string, byte[]>(StringComparer.Ordinal) { [Program] = Mine, [Program + ".emold"] = Edited };
+        var edits = 0;
+        var folder = new SteppedFolder(files, kind)
+        {
+            Stepping = name =>
+            {
+                var isMoment = kind == StepKind.Exchanges ? name == "take " + Program
+                    : name.StartsWith($"take {Program}.back-", StringComparison.Ordinal);
+                if (isMoment && edits++ == 0)
+                    files[Program] = later;
+            },
+        };
+        await Assert.ThrowsAsync<ChangedAtMachineException>(() => new ProgramSender(folder, Keeps).RecoverAsync(Program, Token));
+        Assert.True(edits > 0);
+        Assert.Equal(Edited, files[Program]);
+        Assert.Contains(later, files.Values);
+    }
+
     // The same with the system's own renames in a folder.
     [Fact]
     public async Task A_sender_frozen_at_any_step_in_a_folder_finds_nothing_when_it_goes_on()
