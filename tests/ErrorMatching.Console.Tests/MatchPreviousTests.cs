@@ -61,6 +61,8 @@ public sealed class MatchPreviousTests
         Assert.Equal("not-a-match", Refused("job.json"));
         Put("lot-less.json", "\"lot\"", "\"none\"");
         Assert.Equal("lot-missing", Refused("lot-less.json"));
+        Put("withheld.json", "\"withheld\": null", "\"withheld\": { \"code\": \"outside-limits\", \"sentence\": \"\" }");
+        Assert.Equal("previous-withheld", Refused("withheld.json"));
         Put("design.json", "\"role\": \"theoretical\"", "\"role\": \"another\"");
         Assert.Equal("other-points", Refused("design.json"));
         Assert.Equal(

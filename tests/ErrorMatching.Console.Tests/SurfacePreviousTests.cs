@@ -65,6 +65,11 @@ public sealed class SurfacePreviousTests
         var report = File.ReadAllText(folder["out/report.json"]);
         folder.File("old.json", report.Replace("\"lot\"", "\"none\"", StringComparison.Ordinal));
         Assert.Equal("lot-missing", Refused(1, "old.json", Sample("after.csv"), finished));
+        Assert.Contains("\"withheld\": null", report, StringComparison.Ordinal);
+        folder.File(
+            "withheld.json",
+            report.Replace("\"withheld\": null", "\"withheld\": { \"code\": \"outside\" }", StringComparison.Ordinal));
+        Assert.Equal("previous-withheld", Refused(1, "withheld.json", Sample("after.csv"), finished));
         folder.File("surface.json", report.Replace("\"role\": \"surface\"", "\"role\": \"another\"", StringComparison.Ordinal));
         Assert.Equal("other-surface", Refused(1, "surface.json", Sample("after.csv"), finished));
 

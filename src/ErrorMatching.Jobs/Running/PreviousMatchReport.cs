@@ -32,6 +32,7 @@ internal static class PreviousMatchReport
             throw report.Refusal("schema", "not-a-match", "the report.json of errormatch match");
         }
 
+        PreviousReport.ThrowIfWithheld(report);
         if (LotJson.Read(report).Pieces is not { } pieces)
         {
             throw report.Refusal("lot", LotMissing, "the report of a match in feedback by this version, which lists the counterparts");

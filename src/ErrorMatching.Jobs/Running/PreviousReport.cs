@@ -34,6 +34,7 @@ public sealed record PreviousReport(string File, MeasuredLot Lot)
             throw report.Refusal("schema", "not-a-compensation", "the report.json of errormatch surface compensate or surface displace");
         }
 
+        ThrowIfWithheld(report);
         if (LotJson.Read(report).Pieces is not { } lot)
         {
             throw report.Refusal("lot", "lot-missing", "a report of this version, which says what its program corrected at each point");
@@ -46,6 +47,20 @@ public sealed record PreviousReport(string File, MeasuredLot Lot)
         }
 
         return new(given.File, lot);
+    }
+
+    /// <summary>Refuses a report whose program was never written: no piece was cut by it.</summary>
+    /// <exception cref="InputException">It is one.</exception>
+    internal static void ThrowIfWithheld(ReportReader report)
+    {
+        if (Acceptance.Read(report) is { Withheld: { } verdict })
+        {
+            throw report.Refusal(
+                "withheld",
+                "previous-withheld",
+                $"the report of a program that was written; of this one none was, because its verdict was {verdict}. Give the report "
+                    + "before it");
+        }
     }
 
     /// <summary>True if a program follows the measurement that this report compensated.</summary>
