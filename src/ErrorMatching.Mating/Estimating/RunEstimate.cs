@@ -12,6 +12,7 @@ internal sealed class RunEstimate
     // The places at which the boundary between two key points is compared.
     private const double SpacingMm = 1;
     private const int MostPlaces = 200;
+    private const int MostDrawn = 40;
 
     // Cosine of the largest angle at which one curve still goes on as the other: 30 degrees. A deviation of a corner changes by no more
     // than a seventh across it.
@@ -277,8 +278,11 @@ internal sealed class RunEstimate
             return null;
         }
 
-        var unknown = JointFactor.Of(0, Field!.Together([.. places.Select(p => (IReadOnlyList<RowTerm>)[TermOf(p.Element, p.At, 1)])]));
-        return worst.Within(LargestError.BoundMm([.. errors.Select(e => e.AfterMm)], unknown.Columns, freedom, risk));
+        // Neighboring places deviate alike: of many, some tell how large the largest error may be.
+        int[] drawn = [.. Enumerable.Range(0, places.Length).Where(k => k % (1 + (places.Length / MostDrawn)) == 0)];
+        var unknown = JointFactor.Of(
+            0, Field!.Together([.. drawn.Select(k => (IReadOnlyList<RowTerm>)[TermOf(places[k].Element, places[k].At, 1)])]));
+        return worst.Within(LargestError.BoundMm([.. drawn.Select(k => errors[k].AfterMm)], unknown.Columns, freedom, risk));
     }
 
     /// <summary>The middle between the two neighboring key points of an element that are furthest apart, where one more would tell most
