@@ -3,15 +3,19 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.EndToEnd.Tests;
 
-/// <summary>CONTRIBUTING.md names only what exists: tests, types, files, folders, and the console's verbs.</summary>
+/// <summary>CONTRIBUTING.md names only what exists: tests, types and their members, files and folders. What can be typed is tested next to
+/// the console's verbs (<c>ContributingCommandTests</c>).</summary>
 public sealed partial class ContributingTests
 {
     private static readonly string Page = File.ReadAllText(Repository.PathTo("CONTRIBUTING.md"));
 
-    private static readonly HashSet<string> Types = [
+    private static readonly string[] Sources = [
         .. new[] { "src", "tests", "benchmarks", "examples" }
             .SelectMany(f => Directory.EnumerateFiles(Repository.PathTo(f), "*.cs", SearchOption.AllDirectories))
-            .SelectMany(f => Declared().Matches(File.ReadAllText(f)).Select(m => m.Groups["name"].Value))];
+            .Select(File.ReadAllText)];
+
+    private static readonly HashSet<string> Types = [
+        .. Sources.SelectMany(s => Declared().Matches(s).Select(m => m.Groups["name"].Value))];
 
     [Fact]
     public void The_tests_that_it_runs_exist()
@@ -40,6 +44,19 @@ public sealed partial class ContributingTests
             $"{n} is no type, file or folder."));
     }
 
+    // Where the type is declared.
+    [Fact]
+    public void The_members_in_code_marks_exist()
+    {
+        var members = Marked().Matches(Fenced().Replace(Page, "")).Select(m => m.Groups["name"].Value.Split('.'))
+            .Where(p => p.Length == 2 && char.IsUpper(p[1][0]) && Types.Contains(p[0])).ToArray();
+        Assert.NotEmpty(members);
+        Assert.All(members, m => Assert.True(
+            Sources.Any(s => Declared().Matches(s).Any(d => d.Groups["name"].Value == m[0])
+                && Member().Matches(s).Any(d => d.Groups["name"].Value == m[1])),
+            $"{m[0]} has no {m[1]}."));
+    }
+
     [Fact]
     public void The_consoles_commands_are_verbs()
     {
@@ -54,6 +71,11 @@ public sealed partial class ContributingTests
 
     [GeneratedRegex(@"\b(class|record|struct|interface|enum)\s+((struct|class)\s+)?(?<name>\w+)", RegexOptions.ExplicitCapture, 5000)]
     private static partial Regex Declared();
+
+    [GeneratedRegex(
+        @"^ +(public|internal|private|protected)\b[^;={(\r\n]* (?<name>\w+)\s*($|[<({=;])",
+        RegexOptions.ExplicitCapture | RegexOptions.Multiline, 5000)]
+    private static partial Regex Member();
 
     [GeneratedRegex(@"FullyQualifiedName~(?<name>\w+)", RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Filter();
