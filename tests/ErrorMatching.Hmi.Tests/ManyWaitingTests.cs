@@ -9,7 +9,7 @@ namespace ErrorMatching.Hmi.Tests;
 /// <summary>However many corrections wait, each can be reached and decided, and no count is that of what a list happens to have.</summary>
 public sealed class ManyWaitingTests
 {
-    private const int Few = 130, Many = 10_000;
+    private const int Few = 130, Many = 10_000, Old = 1_003;
 
     [Fact]
     public Task A_correction_behind_a_hundred_others_is_listed_counted_and_decided() => Seat.AtAsync(
@@ -68,6 +68,82 @@ public sealed class ManyWaitingTests
         },
         prepare: folder => Propose(folder, 1));
 
+    // Each state that the overview lists comes from another part of the store.
+    [Theory]
+    [InlineData(CorrectionState.Failed, "Nothing in line", 31)]
+    [InlineData(CorrectionState.Approved, "In line: 130", 0)]
+    public Task Of_more_than_a_hundred_in_any_state_what_is_left_out_is_said_and_found(
+        CorrectionState state, string inLine, int messagesLeft) => Seat.AtAsync(
+        seat =>
+        {
+            seat.SignIn(DemoCell.Setter);
+            seat.WaitFor(() => seat.Station.State.Status is not null, "The cell is not seen.");
+            var overview = (OverviewViewModel)seat.Shell.Current!;
+            Assert.Equal(Few, seat.Station.State.Status!.CountOf(state));
+            Assert.Equal(inLine, overview.Slots[0].Waiting);
+            Assert.Equal(Enumerable.Range(1, 100).Select(i => (long?)i), overview.Waiting.Select(t => (long?)t.Id));
+            Assert.Equal("30 more wait. Tap to see everything to decide or in progress.", overview.More);
+
+            // The cell does not run, which is a message of its own.
+            seat.Tap("nav-messages");
+            Assert.Equal(
+                messagesLeft == 0 ? null : $"{messagesLeft} more messages. Tap to see everything to decide or in progress.",
+                ((MessagesViewModel)seat.Shell.Current!).Left);
+            Assert.Equal(messagesLeft == 0 ? 1 : 100, ((MessagesViewModel)seat.Shell.Current!).Messages.Count);
+
+            seat.Tap("nav-overview").Tap("overview-more");
+            seat.WaitFor(() => seat.Shell.Current is CompensationViewModel, "What is left out leads nowhere.");
+            Assert.Equal(Enumerable.Range(1, Few).Select(i => (long)i), ((CompensationViewModel)seat.Shell.Current!).Rows.Select(r => r.Id));
+            ((ListBox)seat.See("corrections")).ScrollIntoView(Few - 1);
+            seat.Tap($"correction-{Few}").WaitFor(() => seat.TextOf("detail-title") == $"#{Few} · {Few}", "The last one is not shown.");
+            seat.Tap("reject").Type("signing-reason", "not wanted").Tap("signing-confirm");
+            seat.WaitFor(() => seat.Station.Store.Find(Few)!.State == CorrectionState.Rejected, "The last one is not decided.");
+        },
+        prepare: folder => Bring(folder, Few, state));
+
+    // What is not calculated yet is not to be decided, so no other list has it.
+    [Fact]
+    public Task More_than_a_hundred_that_are_not_calculated_yet_are_counted_and_not_said_to_be_elsewhere() => Seat.AtAsync(
+        seat =>
+        {
+            seat.SignIn(DemoCell.Setter);
+            seat.WaitFor(() => seat.Station.State.Status is not null, "The cell is not seen.");
+            var overview = (OverviewViewModel)seat.Shell.Current!;
+            Assert.Equal(Few, seat.Station.State.Status!.CountOf(CorrectionState.Archived));
+            Assert.Equal(100, overview.Waiting.Count);
+            Assert.Equal("Not calculated yet: 30 more.", overview.More);
+            Assert.False(seat.See("overview-more").IsEffectivelyEnabled);
+
+            // With something to decide before them, as much of both is left out.
+            seat.Station.Pretend(Waiting(seat.Station, 105) is var some
+                ? some with { Status = some.Status! with { InWork = seat.Station.State.Status!.InWork } }
+                : null!);
+            Assert.Equal(
+                "5 more wait. Tap to see everything to decide or in progress. Not calculated yet: 130 more.", overview.More);
+            seat.Tap("overview-more");
+            Assert.Equal(105, ((CompensationViewModel)seat.Shell.Current!).Rows.Count);
+        },
+        prepare: folder => Bring(folder, Few, CorrectionState.Archived));
+
+    [Fact]
+    public Task The_history_says_how_many_it_leaves_out_and_finds_them() => Seat.AtAsync(
+        seat =>
+        {
+            seat.SignIn(DemoCell.Setter).Tap("nav-history");
+            var history = (HistoryViewModel)seat.Shell.Current!;
+            seat.WaitFor(
+                () => seat.TextOf("history-found") == "Found: 1,003. The latest 1,000 are shown. Narrow your search.",
+                "It is not said how many are left out.");
+            Assert.Equal(Enumerable.Range(4, Old - 3).Reverse().Select(i => (long)i), history.Rows.Select(r => r.Id));
+            seat.Type("history-serial", "left-out").Tap("history-search").See("found-1");
+            Assert.Equal(("Found: 1", 1), (seat.TextOf("history-found"), history.Rows.Count));
+        },
+        prepare: folder =>
+        {
+            Bring(folder, 1, CorrectionState.Recognized, "left-out");
+            Bring(folder, Old - 1, CorrectionState.Archived);
+        });
+
     // The same correction under other numbers.
     private static StationState Waiting(Station station, int count)
     {
@@ -86,17 +162,25 @@ public sealed class ManyWaitingTests
         };
     }
 
-    private static void Propose(string folder, int count)
+    private static void Propose(string folder, int count) => Bring(folder, count, CorrectionState.Proposed);
+
+    // Corrections that have come so far.
+    private static void Bring(string folder, int count, CorrectionState state, string? name = null)
     {
         var settings = CellSettingsReader.Read(Path.Combine(folder, "cell", "cell.json"));
         using var store = CellStore.Open(settings.Store, TimeProvider.System, AuditKey.Open(settings.KeysFolder));
         var (machine, job) = (settings.Machines[0], settings.Jobs[0]);
         for (var i = 1; i <= count; i++)
         {
-            var serial = i.ToString(CultureInfo.InvariantCulture);
+            var serial = name ?? i.ToString(CultureInfo.InvariantCulture);
             var program = Encoding.ASCII.GetBytes($"(PART {serial})\nM30\n");
             var correction = store.Archive(
                 new(settings.Gauges[0].Name, $"part-{serial}.csv", serial, Encoding.ASCII.GetBytes(serial), "trace")).Correction;
+            if (state == CorrectionState.Archived)
+            {
+                continue;
+            }
+
             correction = store.Step(
                 correction,
                 CorrectionState.Recognized,
@@ -112,6 +196,17 @@ public sealed class ManyWaitingTests
                     Slot = machine.Slots[0].Name,
                     Program = machine.Slots[0].Program,
                 });
+            if (state is CorrectionState.Recognized)
+            {
+                continue;
+            }
+
+            if (state is CorrectionState.Failed)
+            {
+                store.Step(correction, state, "cell", "disk full", c => c with { Reason = "disk full", Identity = null });
+                continue;
+            }
+
             correction = store.Step(
                 correction,
                 CorrectionState.Computed,
@@ -119,7 +214,11 @@ public sealed class ManyWaitingTests
                 "computed",
                 c => c with { ProgramSha256 = Convert.ToHexStringLower(System.Security.Cryptography.SHA256.HashData(program)) },
                 [program]);
-            store.Step(correction, CorrectionState.Proposed, "cell", "within limits");
+            correction = store.Step(correction, CorrectionState.Proposed, "cell", "within limits");
+            if (state is CorrectionState.Approved)
+            {
+                store.Step(correction, state, DemoCell.Setter, "approved");
+            }
         }
     }
 }

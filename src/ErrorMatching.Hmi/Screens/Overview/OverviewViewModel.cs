@@ -10,6 +10,7 @@ public sealed class OverviewViewModel : ScreenViewModel
 
     private readonly Action<long>? _look;
     private readonly Action<long>? _lookAtPiece;
+    private int _elsewhere;
 
     /// <summary>The overview of a cell.</summary>
     /// <param name="station">The station.</param>
@@ -20,7 +21,7 @@ public sealed class OverviewViewModel : ScreenViewModel
         : base(station)
     {
         (_look, _lookAtPiece) = (look, lookAtPiece);
-        LookAtAll = new(() => lookAtAll?.Invoke(), () => lookAtAll is not null);
+        LookAtAll = new(() => lookAtAll?.Invoke(), () => lookAtAll is not null && _elsewhere > 0);
         Refresh();
     }
 
@@ -31,7 +32,8 @@ public sealed class OverviewViewModel : ScreenViewModel
     /// <summary>Corrections that wait for a person, have failed, or are on their way, worst first: the first hundred.</summary>
     public RowList<WaitingTile> Waiting { get; } = [];
 
-    /// <summary>How many more wait than <see cref="Waiting"/> lists, and where they are listed; null if it lists all.</summary>
+    /// <summary>How many more wait than <see cref="Waiting"/> lists, and where they are listed, and how many of those that are not
+    /// calculated yet it leaves out, which no other list has; null if it lists all.</summary>
     public string? More { get; private set; }
 
     /// <summary>Opens the list of all corrections.</summary>
@@ -82,7 +84,15 @@ public sealed class OverviewViewModel : ScreenViewModel
             .. status.Slots.SelectMany(s => s.Approved).Select(c => (Func<WaitingTile>)(() => Tile(status, c))),
             .. status.InWork.Select(c => (Func<WaitingTile>)(() => Tile(c, Severity.Quiet)))];
         Waiting.Show([.. waiting.Take(Most).Select(w => w())]);
-        More = waiting.Length > Most ? texts.With("Overview.More", Shown.Count(waiting.Length - Most)) : null;
+        var left = Math.Max(0, waiting.Length - Most);
+        var inWork = Math.Min(left, status.InWork.Count);
+        _elsewhere = left - inWork;
+        More = left == 0 ? null : Sentence.Joined(
+        [
+            .. _elsewhere > 0 ? new[] { texts.With("Overview.More", Shown.Count(_elsewhere)) } : [],
+            .. inWork > 0 ? new[] { texts.With("Overview.MoreInWork", Shown.Count(inWork)) } : [],
+        ]);
+        LookAtAll.Refresh();
         var (failed, proposed) = (status.CountOf(CorrectionState.Failed), status.CountOf(CorrectionState.Proposed));
         string[] counts = [
             .. new[]
