@@ -93,7 +93,8 @@ public sealed class ManyWaitingTests
 
             seat.Tap("nav-overview").Tap("overview-more");
             seat.WaitFor(() => seat.Shell.Current is CompensationViewModel, "What is left out leads nowhere.");
-            Assert.Equal(Enumerable.Range(1, Few).Select(i => (long)i), ((CompensationViewModel)seat.Shell.Current!).Rows.Select(r => r.Id));
+            var rows = ((CompensationViewModel)seat.Shell.Current!).Rows;
+            Assert.Equal(Enumerable.Range(1, Few).Select(i => (long)i), rows.Select(r => r.Id));
             ((ListBox)seat.See("corrections")).ScrollIntoView(Few - 1);
             seat.Tap($"correction-{Few}").WaitFor(() => seat.TextOf("detail-title") == $"#{Few} · {Few}", "The last one is not shown.");
             seat.Tap("reject").Type("signing-reason", "not wanted").Tap("signing-confirm");
