@@ -32,8 +32,8 @@ public sealed partial class ContributingCommandTests
     public void The_page_has_commands_of_all_kinds()
     {
         string[] commands = [.. Lines.Select(l => l.Data), .. Marks.Select(m => m.Data)];
-        foreach (var begin in (string[])["dotnet build", "dotnet test", "dotnet run", "errormatch nc ", "match ", "cell run ", "tests/fire ",
-            "tests/score ", "python3 tools/", "deploy/", ".ci/run", "UPDATE_MANUAL=1 dotnet "])
+        foreach (var begin in (string[])["dotnet build", "dotnet test", "dotnet run", "errormatch nc ", "match ", "cell run ",
+            "tests/fire ", "tests/score ", "python3 tools/", "deploy/", ".ci/run", "UPDATE_MANUAL=1 dotnet "])
         {
             Assert.Contains(commands, c => c.StartsWith(begin, StringComparison.Ordinal));
         }

@@ -157,21 +157,57 @@ public sealed class WrongInputTests
     public void Exchanged_columns_and_reversed_axes_are_named_in_one_message(string written, string read)
     {
         using var folder = new TemporaryFolder();
-        var lines = File.ReadAllLines(Path.Combine(Folder, "part.csv")).Skip(1).Select(l => l.Split(',')).Select(c =>
-        {
-            string Of(string axis) => axis switch
-            {
-                "x" => c[1],
-                "y" => c[2],
-                _ => (-double.Parse(c[axis == "-x" ? 1 : 2], CultureInfo.InvariantCulture)).ToString(CultureInfo.InvariantCulture),
-            };
-            var axes = written.Split(',');
-            return $"{c[0]},{Of(axes[0])},{Of(axes[1])}";
-        });
-        var part = folder.File("part.csv", "point,x_mm,y_mm\n" + string.Join('\n', lines) + "\n");
+        var part = Written(folder, "part.csv", written);
         var error = Shell.Error(2, "match", Job, "--part", part);
         Assert.Equal(("columns-differ", part), (error.Text("code"), error.Text("file")));
         Assert.Contains($"read as {read}:", error.Text("message")!, StringComparison.Ordinal);
+    }
+
+    // With an alignment, a piece may lie anywhere: what exchanged columns show is a mirrored one.
+    [Theory]
+    [InlineData("y,x", true)]
+    [InlineData("-x,y", true)]
+    [InlineData("x,y", false)]
+    [InlineData("-y,x", false)]
+    public void Exchanged_columns_are_named_in_a_job_with_an_alignment(string written, bool isMirrored)
+    {
+        using var folder = new TemporaryFolder();
+        var part = Written(folder, "part.csv", written);
+        var job = Aligned(folder);
+        if (isMirrored)
+        {
+            var error = Shell.Error(2, "match", job, "--part", part);
+            Assert.Equal(("columns-differ", part), (error.Text("code"), error.Text("file")));
+            Assert.Contains("read as y, x:", error.Text("message")!, StringComparison.Ordinal);
+        }
+        else
+        {
+            var (exit, _, message) = Shell.Run("match", job, "--part", part);
+            Assert.Equal((0, ""), (exit, message));
+        }
+    }
+
+    [Theory]
+    [InlineData("--part", false)]
+    [InlineData("--before", false)]
+    [InlineData("--after", false)]
+    [InlineData("--part", true)]
+    [InlineData("--before", true)]
+    [InlineData("--after", true)]
+    public void Verify_names_exchanged_columns_of_each_measurement(string option, bool isAligned)
+    {
+        using var folder = new TemporaryFolder();
+        var files = new Dictionary<string, string>(StringComparer.Ordinal)
+        {
+            ["--part"] = "part.csv",
+            ["--before"] = "counterpart.csv",
+            ["--after"] = "counterpart-after.csv",
+        };
+        string[] line = ["verify", isAligned ? Aligned(folder) : Job,
+            .. files.SelectMany(f => new[] { f.Key, f.Key == option ? Written(folder, f.Value, "y,x") : Path.Combine(Folder, f.Value) })];
+        var error = Shell.Error(2, line);
+        Assert.Equal(("columns-differ", folder[files[option]]), (error.Text("code"), error.Text("file")));
+        Assert.Contains("read as y, x:", error.Text("message")!, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -215,5 +251,33 @@ public sealed class WrongInputTests
         Assert.Contains(
             "Read as y, x, z,", Shell.Error(1, "surface", "evaluate", job, "--measured", swapped).Text("message")!,
             StringComparison.Ordinal);
+    }
+
+    // The sample's job with an alignment, next to copies of its files.
+    private static string Aligned(TemporaryFolder folder)
+    {
+        folder.File("theoretical.csv", File.ReadAllText(Path.Combine(Folder, "theoretical.csv")));
+        folder.File("counterpart.nc", Program);
+        if (!File.Exists(folder["counterpart.csv"]))
+            folder.File("counterpart.csv", File.ReadAllText(Path.Combine(Folder, "counterpart.csv")));
+        return folder.File("job.json", File.ReadAllText(Job).Replace(
+            "\"alignment\": { \"kind\": \"none\" }", "\"alignment\": { \"kind\": \"best-fit\" }", StringComparison.Ordinal));
+    }
+
+    // One of the sample's measurements with other columns in the places of x and y.
+    private static string Written(TemporaryFolder folder, string name, string written)
+    {
+        var lines = File.ReadAllLines(Path.Combine(Folder, name)).Skip(1).Select(l => l.Split(',')).Select(c =>
+        {
+            string Of(string axis) => axis switch
+            {
+                "x" => c[1],
+                "y" => c[2],
+                _ => (-double.Parse(c[axis == "-x" ? 1 : 2], CultureInfo.InvariantCulture)).ToString(CultureInfo.InvariantCulture),
+            };
+            var axes = written.Split(',');
+            return $"{c[0]},{Of(axes[0])},{Of(axes[1])}";
+        });
+        return folder.File(name, "point,x_mm,y_mm\n" + string.Join('\n', lines) + "\n");
     }
 }

@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Text;
 using System.Text.Json;
 
@@ -208,6 +209,44 @@ public sealed class BadInputTests
         shop.Edit(Job, "\"alignment\"", "\"originCheck\": { \"point\": \"1\", \"limitMm\": 0.05 },\n  \"alignment\"");
         await Refused(shop, 2, "origin-off", "match", Job, "--out", "out");
     }
+
+    // As a user types it: the shell gives the console a pipe of its own.
+    [Fact]
+    public async Task A_program_from_a_pipe_of_the_shell_is_read_like_a_file()
+    {
+        Assert.SkipUnless(ConsoleRun.HasSignals, "Only these shells have it.");
+        using var shop = new Workshop();
+        var run = await InShell(shop, $"match {Job} --program <(cat {Program}) --out piped");
+        Assert.Equal((0, ""), (run.Exit, run.Error));
+        Assert.Equal(0, (await shop.Run("match", Job, "--program", Program, "--out", "named")).Exit);
+        Assert.Equal(
+            Workshop.Sha256(shop["named", "counterpart.nc"]), Workshop.Sha256(shop["piped", "counterpart.nc"]));
+
+        // A pipe cannot be read twice, nor looked at for its length.
+        Assert.Equal(0, (await InShell(shop, $"nc check <(cat {Program}) --dialect delta-nc300")).Exit);
+        var empty = await InShell(shop, $"match {Job} --program <(true) --json");
+        Assert.Equal("empty-program", empty.SingleError.GetProperty("code").GetString());
+        var part = await InShell(shop, $"match {Job} --part <(cat {Part}) --out part");
+        Assert.Equal((0, ""), (part.Exit, part.Error));
+    }
+
+    [Fact]
+    public async Task A_job_from_a_pipe_of_the_shell_has_no_folder_and_says_so()
+    {
+        Assert.SkipUnless(ConsoleRun.HasSignals, "Only these shells have it.");
+        using var shop = new Workshop();
+        foreach (var line in (string[])["job check", "match"])
+        {
+            var run = await InShell(shop, $"{line} <(cat {Job}) --json");
+            Assert.Equal(1, run.Exit);
+            Assert.Equal("job-without-folder", run.SingleError.GetProperty("code").GetString());
+            Assert.Contains("/dev/fd/", run.SingleError.GetProperty("file").GetString(), StringComparison.Ordinal);
+            Assert.Contains("Name a file.", run.SingleError.GetProperty("message").GetString(), StringComparison.Ordinal);
+        }
+    }
+
+    private static Task<ConsoleRun> InShell(Workshop shop, string line) => ConsoleRun.Of(
+        new ProcessStartInfo("bash", ["-c", $"'{ConsoleRun.Executable}' {line}"]) { WorkingDirectory = shop.Folder });
 
     /// <summary>Runs a command line that must fail with one of some codes, change nothing and write nothing.</summary>
     private static async Task<JsonElement> Refused(Workshop shop, int exit, string codes, params string[] arguments)
