@@ -1,6 +1,7 @@
 using Avalonia.Controls;
 using Avalonia.Controls.Presenters;
 using Avalonia.Input;
+using Avalonia.Threading;
 using Avalonia.VisualTree;
 using ErrorMatching.Cell;
 
@@ -112,6 +113,152 @@ public sealed class TypingTests
         Assert.Equal(ScreenKeys.Points, seat.Shell.Chosen!.Screen.Key);
         NothingIsShown(seat);
     });
+
+    // The chooser of files takes no password, and its button for Enter must not take one for an answer.
+    [Fact]
+    public Task What_is_typed_behind_a_chooser_goes_nowhere() => Seat.AtAsync(seat =>
+    {
+        seat.SignIn(DemoCell.Setter).Tap("nav-history");
+        var (field, chooser) = (FieldBehindAChooser(seat), seat.Shell.Choosing!);
+        seat.WaitFor(() => chooser.Confirm.CanExecute(null), "No folder can be chosen.");
+        seat.Window.FocusManager!.Focus(null);
+        Assert.False(field.Focus());
+        seat.User.TypeByHand(Secret);
+        Assert.Equal(chooser, seat.Shell.Choosing);
+        Assert.Equal(ScreenKeys.History, seat.Shell.Chosen!.Screen.Key);
+        Assert.Equal("", field.Text ?? "");
+        NothingIsShown(seat);
+        seat.Tap("chooser-leave");
+        Assert.True(seat.Shell.IsFree);
+    });
+
+    // Enter is for "Stay" there, once it can be seen.
+    [Fact]
+    public Task What_is_typed_ahead_of_the_question_before_closing_goes_nowhere() => SetupSeat.AtAsync("points", here =>
+    {
+        var (seat, closed) = (here.Seat, false);
+        seat.Window.Closed += (_, _) => closed = true;
+        here.Shell.Editing.Change("", d => d with { Name = "Other" });
+        here.Settle();
+        seat.See("edit-name").Focus();
+        Assert.True(seat.User.StaysOpen());
+        seat.User.TypeByHand(Secret);
+        Assert.NotNull(here.Shell.Leaving);
+        Assert.Equal("Other", here.Draft.Name);
+        NothingIsShown(seat);
+        seat.Tap("leaving-stay");
+        Assert.Equal((false, true), (closed, here.Shell.IsFree));
+    });
+
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public Task What_is_typed_on_after_a_chooser_has_closed_is_shown_nowhere_for_a_moment(bool isChosen) => Seat.AtAsync(seat =>
+    {
+        seat.SignIn(DemoCell.Setter).Tap("nav-history");
+        var (field, history) = (FieldBehindAChooser(seat), (HistoryViewModel)seat.Shell.Current!);
+        if (isChosen)
+        {
+            seat.WaitFor(() => seat.Shell.Choosing!.Confirm.CanExecute(null), "No folder can be chosen.");
+            seat.Shell.Choosing!.Confirm.Execute(null);
+            seat.WaitFor(
+                () =>
+                {
+                    if (seat.Shell.IsFree)
+                    {
+                        TypeOn(seat);
+                    }
+
+                    return seat.Shell.IsFree;
+                },
+                "The folder is not chosen.");
+        }
+        else
+        {
+            seat.Shell.Choosing!.Leave.Execute(null);
+            TypeOn(seat);
+        }
+
+        Assert.True(field.IsFocused);
+        Assert.Equal(("", ScreenKeys.History), (history.Serial, seat.Shell.Chosen!.Screen.Key));
+        NothingIsShown(seat);
+
+        // The moment ends by itself.
+        seat.WaitFor(
+            () =>
+            {
+                seat.User.Type("7");
+                return history.Serial == "7";
+            },
+            "The field stays closed to keys.");
+    });
+
+    [Fact]
+    public Task Enter_and_space_after_a_dialog_has_closed_press_nothing_for_a_moment() => Seat.AtAsync(seat =>
+    {
+        Propose(seat);
+        seat.SignIn(DemoCell.Setter).Tap("nav-history").Tap("found-1").See("history-choose-folder").Focus();
+        foreach (var key in new[] { Key.Enter, Key.Space })
+        {
+            var chosen = seat.Shell.ChooseAsync(new(FileChoiceKind.Folder, "History.Folder", []));
+            seat.See("chooser-leave");
+            seat.Shell.Choosing!.Leave.Execute(null);
+            Assert.True(chosen.IsCompleted);
+            FocusReturns();
+            Assert.True(seat.See("history-choose-folder").IsFocused);
+            seat.User.Press(key);
+            Assert.True(seat.Shell.IsFree);
+        }
+
+        // Who moves on by keys means the next one.
+        seat.User.Press(Key.Tab).Press(Key.Tab, RawInputModifiers.Shift).Press(Key.Enter);
+        Assert.NotNull(seat.Shell.Choosing);
+    });
+
+    // Who leaves by Escape types no password, and whoever moves the focus means where it goes.
+    [Theory]
+    [InlineData(Key.Escape)]
+    [InlineData(Key.Tab)]
+    [InlineData(Key.Down)]
+    public Task Keys_that_end_the_moment_let_the_next_ones_through(Key key) => Seat.AtAsync(seat =>
+    {
+        seat.SignIn(DemoCell.Setter).Tap("nav-history");
+        var (field, history) = (FieldBehindAChooser(seat), (HistoryViewModel)seat.Shell.Current!);
+        if (key == Key.Escape)
+        {
+            seat.User.Press(key);
+        }
+        else
+        {
+            seat.Shell.Choosing!.Leave.Execute(null);
+            FocusReturns();
+            seat.User.Press(key);
+        }
+
+        Assert.True(seat.Shell.IsFree);
+        FocusReturns();
+        field.Focus();
+        seat.User.Type("0001");
+        Assert.Equal("0001", history.Serial);
+    });
+
+    private static TextBox FieldBehindAChooser(Seat seat)
+    {
+        var field = (TextBox)seat.See("history-serial");
+        seat.WaitFor(() => field.IsFocused, "The field for the serial number is not ready.");
+        _ = seat.Shell.ChooseAsync(new(FileChoiceKind.Folder, "History.Folder", []) { Start = seat.Station.Settings.LogFolder });
+        seat.See("chooser-leave");
+        return field;
+    }
+
+    // In the very moment, but with the focus back.
+    private static void TypeOn(Seat seat)
+    {
+        FocusReturns();
+        seat.User.TypeByHand(Secret);
+    }
+
+    private static void FocusReturns() => Dispatcher.UIThread.RunJobs(DispatcherPriority.Loaded);
 
     private static void Propose(Seat seat)
     {
