@@ -9,7 +9,8 @@ namespace ErrorMatching.Cell.Tests;
 /// for the answer does.</summary>
 public sealed class MtConnectCostTests
 {
-    private const string Head = "<MTConnectStreams><Streams><DeviceStream name=\"V\"><ComponentStream component=\"Path\" componentId=\"p\">";
+    private const string Head =
+        "<MTConnectStreams><Streams><DeviceStream name=\"V\"><ComponentStream component=\"Path\" componentId=\"p\">";
     private static readonly MtConnectSettings Settings = new(new("http://127.0.0.1"), null, false);
 
     [Fact]
