@@ -215,7 +215,7 @@ public sealed class TypingTests
         Assert.NotNull(seat.Shell.Choosing);
     });
 
-    // Who leaves by Escape types no password, and whoever moves the focus means where it goes.
+    // Escape is no part of a password, and Tab or an arrow moves the focus on purpose.
     [Theory]
     [InlineData(Key.Escape)]
     [InlineData(Key.Tab)]

@@ -125,7 +125,7 @@ public sealed class SharedFileTests
                 }
                 catch (IOException)
                 {
-                    // Whoever reads no further closes the pipe; what was read is looked at.
+                    // A reader that stops early closes the pipe. The test looks at what it read until then.
                 }
             });
             try

@@ -4,7 +4,7 @@ using ErrorMatching.Mating;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Whether two pieces go together, in the display language: the numbers, and in English the words, of the report and the
-/// console.</summary>
+/// console. Of a part that can be lifted off it says no more than that, because the line above a picture is short.</summary>
 internal static class PairText
 {
     /// <summary>How surely they do, and with how much air or overlap where.</summary>
