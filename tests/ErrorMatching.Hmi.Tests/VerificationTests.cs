@@ -82,9 +82,7 @@ public sealed class VerificationTests
             seat.TextOf("piece-verdict"),
             StringComparison.Ordinal);
         Assert.EndsWith(
-            "Risk that a point is outside its limits: more than 99.9 %. The part can be lifted off.",
-            seat.TextOf("piece-verdict"),
-            StringComparison.Ordinal);
+            "Risk that a point is outside its limits: more than 99.9 %.", seat.TextOf("piece-verdict"), StringComparison.Ordinal);
         Assert.Equal(Severity.Alarm, detail.Severity);
 
         // What the match predicted is missed where the counterpart lies elsewhere by more than twice the gauge's 5.4 um,

@@ -4,10 +4,11 @@ using ErrorMatching.Mating;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Whether two pieces go together, in the display language: the numbers, and in English the words, of the report and the
-/// console. Of a part that can be lifted off it says no more than that, because the line above a picture is short.</summary>
+/// console.</summary>
 internal static class PairText
 {
-    /// <summary>How surely they do, and with how much air or overlap where.</summary>
+    /// <summary>How surely they do, and with how much air or overlap where; empty for a part that can be lifted off, which always
+    /// does.</summary>
     /// <param name="pair">The pair.</param>
     /// <param name="limits">The limits of the mating error, of each feature.</param>
     public static string Of(PairAssembly pair, IEnumerable<ToleranceBand> limits)
@@ -15,12 +16,12 @@ internal static class PairText
         ArgumentNullException.ThrowIfNull(pair);
         var texts = Texts.Current;
         string[] blocks = [.. pair.Contacts.Select(c => c.Block).Distinct(StringComparer.Ordinal)];
-        var places = VerdictParts.Names(blocks);
         if (pair.TightestMm is not { } tightest)
         {
-            return texts["Pair.LiftsOff"];
+            return "";
         }
 
+        var places = VerdictParts.Names(blocks);
         var half = pair.Interval95Mm is { } interval ? (interval.To - interval.From) / 2 : (double?)null;
         var (probability, size) = (VerdictParts.Percent(pair.Probability), Shown.MmAsKnown(tightest, half));
         return (pair.Assembles, tightest < 0) switch
