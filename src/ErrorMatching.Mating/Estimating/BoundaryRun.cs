@@ -165,10 +165,9 @@ internal sealed class BoundaryRun
         return shares;
     }
 
-    /// <summary>Cosine of the angle between the normals of an element and the next one where they meet; null if other cuts are between
-    /// them.</summary>
+    /// <summary>Where an element and the next one meet; null if other cuts are between them.</summary>
     /// <param name="element">Index of the first of both.</param>
-    public double? JointCosine(int element)
+    public ElementJoint? JointAfter(int element)
     {
         if (element < 0 || element + 1 >= Elements.Count)
         {
@@ -176,10 +175,15 @@ internal sealed class BoundaryRun
         }
 
         var (one, other) = (Elements[element], Elements[element + 1]);
-        return Neighbor(one.Last, -1) is { } last && Neighbor(one.Last + 1, 1) is { } first
-            && ReferenceEquals(ElementOf(last), one) && ReferenceEquals(ElementOf(first), other)
-            ? NormalAt(Path, last, 1).Dot(NormalAt(Path, first, 0))
-            : null;
+        if (Neighbor(one.Last, -1) is not { } last || Neighbor(one.Last + 1, 1) is not { } first
+            || !ReferenceEquals(ElementOf(last), one) || !ReferenceEquals(ElementOf(first), other))
+        {
+            return null;
+        }
+
+        var (before, behind) = (NormalAt(Path, last, 1), NormalAt(Path, first, 0));
+        var turn = before.Cross(behind);
+        return new(before, behind, Math.Abs(turn) < CornerSine ? 0 : turn > 0 == MaterialIsLeft ? 1 : -1);
     }
 
     /// <summary>Lines beside the elements that an end of one takes along: the joint moves with the element, and the line tilts about its
@@ -329,3 +333,13 @@ internal sealed class BoundaryRun
 /// <param name="AtStart">True if the line begins at the end of the element; false if it ends at the start of it.</param>
 /// <param name="Element">The element.</param>
 internal sealed record FollowingLine(int Motion, bool AtStart, BoundaryElement Element);
+
+/// <summary>Where two elements of a run meet.</summary>
+/// <param name="Before">Normal of the first one there, toward the tool.</param>
+/// <param name="Behind">Normal of the second one there.</param>
+/// <param name="Corner">1 if the tool goes around a corner of the material, -1 in a hollow corner, 0 if one goes on as the other.</param>
+internal sealed record ElementJoint(Vector2 Before, Vector2 Behind, int Corner)
+{
+    /// <summary>Cosine of the angle by which the boundary turns.</summary>
+    public double Cosine => Before.Dot(Behind);
+}

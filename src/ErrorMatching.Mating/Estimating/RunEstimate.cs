@@ -21,6 +21,9 @@ internal sealed class RunEstimate
     // Nearer to a corner, the boundary is where the other element moves it.
     private const double CornerMm = 0.25;
 
+    // Further from a corner than this and the tool's diameter, what is beyond the other element may be another place of the outline.
+    private const double BeyondMm = 2;
+
     private readonly BoundaryRow?[] _ofPoints;
     private readonly RunPath _before;
     private readonly Dictionary<BoundaryElement, (double AlongMm, double All, double Corrected, double Ignored)[]> _bases =
@@ -37,7 +40,7 @@ internal sealed class RunEstimate
         Stretches = run.Elements;
         for (var e = 0; e + 1 < run.Elements.Count; e++)
         {
-            if (IsCourse(run.Elements[e]) && IsCourse(run.Elements[e + 1]) && run.JointCosine(e) > SameCourseCosine)
+            if (IsCourse(run.Elements[e]) && IsCourse(run.Elements[e + 1]) && run.JointAfter(e)?.Cosine > SameCourseCosine)
             {
                 JoinIfLikelier(e);
             }
@@ -313,9 +316,7 @@ internal sealed class RunEstimate
     private double ErrorBetween(BoundaryElement element, RunPath cuts, double along)
     {
         // The boundary of the program before is where it cuts, not where the theoretical outline is.
-        var (place, toTool) = Run.PlaceAt(element, along);
-        var wanted = place + (toTool * (MeanAt(element, along) - BaseAt(element, along).All));
-        return cuts.FootOf(wanted, toTool).DistanceMm - Run.Radius;
+        return cuts.FootOf(WantedAt(element, along), Run.PlaceAt(element, along).Normal).DistanceMm - Run.Radius;
     }
 
     private double DeviationSigma(BoundaryElement element, double along)
@@ -368,7 +369,7 @@ internal sealed class RunEstimate
     }
 
     // The places on an element at which the boundary is compared: between its outermost key points, and up to the elements that it meets.
-    // In a hollow corner the end of one is cut away with the other.
+    // In a hollow corner, also one of two short blocks, the end of one is cut away with the other.
     private IEnumerable<double> Between(BoundaryElement element)
     {
         var (index, offset) = StretchOf(element);
@@ -378,27 +379,55 @@ internal sealed class RunEstimate
             yield break;
         }
 
-        var own = IndexOf(element);
-        var from = EndAt(Run.JointCosine(own - 1)) is { } before ? element.FromMm + before : Math.Max(feet.Min(), element.FromMm);
-        var to = EndAt(Run.JointCosine(own)) is { } behind ? element.ToMm - behind : Math.Min(feet.Max(), element.ToMm);
+        var (before, behind) = (Run.JointAfter(IndexOf(element) - 1), Run.JointAfter(IndexOf(element)));
+        var from = before is not null ? element.FromMm + EndAt(before) : Math.Max(feet.Min(), element.FromMm);
+        var to = behind is not null ? element.ToMm - EndAt(behind) : Math.Min(feet.Max(), element.ToMm);
         var steps = Math.Clamp((int)Math.Ceiling((to - from) / SpacingMm), 1, MostPlaces);
         for (var k = 0; k <= steps && from <= to; k++)
         {
             var along = from + ((to - from) * k / steps);
-            if ((along >= feet.Min() && along <= feet.Max()) || IsLeft(element, along))
+            if (IsLeft(element, along))
             {
                 yield return along;
             }
         }
 
-        static double? EndAt(double? jointCosine) =>
-            jointCosine is { } cosine ? (cosine > SameCourseCosine ? 0 : CornerMm) : null;
+        static double EndAt(ElementJoint joint) => joint.Cosine > SameCourseCosine ? 0 : CornerMm;
     }
 
+    // True where neither the tool cuts the boundary of an element away with that of another, nor the part has it: where the two lines of a
+    // corner deviate differently, the corner of the part is elsewhere.
     private bool IsLeft(BoundaryElement element, double along)
     {
         var (place, normal) = Run.PlaceAt(element, along);
-        return _before.FootOf(place, normal).DistanceMm > Run.Radius - Rounding;
+        if (_before.FootOf(place, normal).DistanceMm <= Run.Radius - Rounding)
+        {
+            return false;
+        }
+
+        var index = IndexOf(element);
+        var wanted = WantedAt(element, along);
+        return !IsBeyond(index - 1, index - 1, wanted) && !IsBeyond(index, index + 1, wanted);
+    }
+
+    private bool IsBeyond(int joint, int other, Point2 wanted)
+    {
+        if (Run.JointAfter(joint) is not { Corner: not 0 } corner)
+        {
+            return false;
+        }
+
+        var (element, atStart) = (Run.Elements[other], other > joint);
+        var end = WantedAt(element, atStart ? element.FromMm : element.ToMm);
+        var normal = atStart ? corner.Behind : corner.Before;
+        return corner.Corner * (wanted - end).Dot(normal) > Rounding && wanted.DistanceTo(end) < BeyondMm + (2 * Run.Radius);
+    }
+
+    // Where the part has the boundary, in the program's frame.
+    private Point2 WantedAt(BoundaryElement element, double along)
+    {
+        var (place, normal) = Run.PlaceAt(element, along);
+        return place + (normal * (MeanAt(element, along) - BaseAt(element, along).All));
     }
 
     /// <summary>What was assumed about its stretches before they were measured.</summary>

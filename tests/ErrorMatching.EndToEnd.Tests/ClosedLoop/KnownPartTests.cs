@@ -41,6 +41,9 @@ public sealed class KnownPartTests
         // The interval of the worst place holds it, wherever it is.
         Assert.InRange(left.Max(Math.Abs), 0, result.Prediction.Features.Max(f => f.WorstBetween!.BoundMm));
 
+        // Nor is an error expected that is not there: past a corner of the part, and in the hollow corner of two blocks.
+        Assert.All(result.Prediction.Features, f => Assert.InRange(Math.Abs(f.WorstBetween!.AfterMm), 0, largest));
+
         MeasurementFile Measured(string file) =>
             MeasurementReader.Read(File.ReadAllBytes(Path.Combine(folder, file)), file, job.Gauge.Format);
     }

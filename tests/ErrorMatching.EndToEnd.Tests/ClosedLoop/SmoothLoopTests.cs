@@ -99,7 +99,7 @@ public sealed class SmoothLoopTests
     [Fact]
     public void The_bound_holds_the_largest_error_anywhere()
     {
-        var (parts, held) = (0, 0);
+        var (parts, held, alarms) = (0, 0, 0);
         for (var seed = 5000; seed < 5000 + (Parts / 2); seed++)
         {
             var part = SmoothPart.Generate(seed, onCorners: seed % 2 == 0, Noise);
@@ -115,7 +115,13 @@ public sealed class SmoothLoopTests
                 .Max(b => Math.Abs(SmoothMatch.DistanceTo(path, b.Actual) - part.ToolRadius));
             parts++;
             held += largest <= worst.Max(w => w.BoundMm) ? 1 : 0;
+
+            // No place is named where the error is nowhere as large as the interval says.
+            var anywhere = part.Boundary.Max(b => Math.Abs(SmoothMatch.DistanceTo(path, b.Actual) - part.ToolRadius));
+            alarms += worst.Any(w => Math.Abs(w.AfterMm) - w.Interval95Mm > anywhere) ? 1 : 0;
         }
+
+        Assert.True(alarms <= parts / 100, $"{alarms}");
 
         Assert.True(parts > 0.9 * Parts / 2, $"{parts}");
         var chance = Parts < 400 ? 3 * Math.Sqrt(parts * 0.93 * 0.07) : 0;
