@@ -21,7 +21,8 @@ public sealed class MatchVerdictTextTests
             Sample with
             {
                 Features = [
-                    Sample.Features[0] with { Tolerance = new(new(-0.0205, 0.1), ToleranceSource.Stated) }, .. Sample.Features.Skip(1)]
+                    Sample.Features[0] with { Tolerance = new(new(-0.0205, 0.1), ToleranceSource.Stated), WorstBetween = null },
+                    .. Sample.Features.Skip(1)]
             },
             VerdictCode.Within, Severity.Quiet),
         ["earlier version"] = (Sample.Older(), VerdictCode.Within, Severity.Quiet),
@@ -32,6 +33,18 @@ public sealed class MatchVerdictTextTests
             VerdictCode.Outside, Severity.Alarm),
         ["outside between"] = (Between(Sample, -0.0612), VerdictCode.OutsideBetween, Severity.Attention),
         ["outside at points and between"] = (Between(Sample.Leaving(("4", 0.0512)), -0.0612), VerdictCode.Outside, Severity.Alarm),
+        ["doubtful between"] = (Between(Sample, 0.0012, 0.0612), VerdictCode.NotKnownBetween, Severity.Attention),
+        ["one doubtful, one not known"] = (
+            NotKnown(Between(Sample, 0.0012, 0.0612)), VerdictCode.NotKnownBetween, Severity.Attention),
+        ["not known between"] = (NotKnown(Sample), VerdictCode.NotKnownBetween, Severity.Attention),
+        ["between not accepted"] = (
+            Between(Sample, 0.0012, 0.0612) with { Rule = DecisionRule.GuardBand(5) }, VerdictCode.NotAccepted, Severity.Attention),
+        ["one and between not accepted"] = (
+            Between(Sample.Leaving(("4", 0.0499)), 0.0012, 0.0612) with { Rule = DecisionRule.GuardBand(5) },
+            VerdictCode.NotAccepted, Severity.Attention),
+        ["two and between not accepted"] = (
+            Between(Sample.Leaving(("2", -0.0499), ("4", 0.0499)), 0.0012, 0.0612) with { Rule = DecisionRule.GuardBand(5) },
+            VerdictCode.NotAccepted, Severity.Attention),
         ["one not accepted"] = (
             Sample.Leaving(("4", 0.0499)) with { Rule = DecisionRule.GuardBand(5) }, VerdictCode.NotAccepted, Severity.Attention),
         ["two not accepted"] = (
@@ -69,6 +82,12 @@ public sealed class MatchVerdictTextTests
         "two outside", "16 點中 2 點會超出公差限 ±0.05：點 2 與 4，其中點 4 超出最多，達 0.021 ± 0.011。除非該處可以接受，否則請勿加工。")]
     [InlineData(
         "one not accepted", "16 點中 16 點會符合公差限 ±0.05（最大 0.050 ± 0.011），但決定規則不接受點 4：太接近公差限。除非您接受此風險，否則請勿加工。")]
+    [InlineData(
+        "doubtful between", "16 點中 16 點會符合公差限 ±0.05（最大 0.020 ± 0.011）。但各點之間 C1 的誤差可能達 0.063。若該處形狀足夠好，可以加工。")]
+    [InlineData(
+        "one and between not accepted",
+        "16 點中 16 點會符合公差限 ±0.05（最大 0.050 ± 0.011），但決定規則不接受點 4，也不接受各點之間的 C1：太接近公差限。"
+            + "除非您接受此風險，否則請勿加工。")]
     [InlineData("not proved", "程式檢核未通過。請勿使用此程式。")]
     public Task In_Chinese_it_has_the_same_numbers(string name, string text) => InAsync(Language.TraditionalChinese, () =>
         Assert.Equal(text, MatchVerdictText.Of(Rounded(Cases[name].Report).Verdict).Replace('\u00a0', ' ')));
@@ -133,11 +152,21 @@ public sealed class MatchVerdictTextTests
             [], report, null),
         TimeProvider.System);
 
-    private static MatchReport Between(MatchReport report, double mm) => report with
+    private static MatchReport Between(MatchReport report, double mm, double interval = 1.96 * 0.0052) => report with
     {
         Features = [
             .. report.Features.SkipLast(1),
-            report.Features[^1] with { WorstBetween = new(new(-40.9334, 52.975), new(0, 1), -0.1, mm, 0.0052) }]
+            report.Features[^1] with
+            {
+                WorstBetween = new(new(-40.9334, 52.975), new(0, 1), -0.1, mm, interval / 1.96) { Interval95Mm = interval },
+            }]
+    };
+
+    private static MatchReport NotKnown(MatchReport report) => report with
+    {
+        Features = [
+            report.Features[0] with { WorstBetween = new(new(1, 2), new(0, 1), -0.1, 0.001, 0) { IsKnown = false } },
+            .. report.Features.Skip(1)]
     };
 
     // The gauge's uncertainty alone, so that the numbers do not depend on the estimate.

@@ -27,14 +27,14 @@ internal static class MatchVerdictText
             VerdictCode.CheckOrigin => (
                 Sentence.Joined(Within(verdict, "Pair.AllWithin"), Origin(verdict.Trust!.Motion!)), "Pair.CutIfSo"),
             VerdictCode.NotKnownBetween => (
-                Sentence.Joined(
-                    Within(verdict, "Pair.AllWithin"),
-                    texts.With("Pair.NotKnownBetween", VerdictParts.Names(verdict.NotKnownBetween))),
-                "Pair.CutIfGood"),
+                Sentence.Joined(Within(verdict, "Pair.AllWithin"), NotKnown(verdict)), "Pair.CutIfGood"),
             VerdictCode.WillNotAssemble => (texts.With("Pair.Overlaps", Within(verdict)), "Pair.DoNotCut"),
             VerdictCode.SuspectPoints => (Suspects(verdict.Trust!.Suspects), "Pair.NotBefore"),
             VerdictCode.NotAccepted => (
-                texts.Counted("Pair.NotAccepted", verdict.NotAccepted.Count, Within(verdict), VerdictParts.Names(verdict.NotAccepted)),
+                verdict.NotAcceptedBetween.Count == 0
+                    ? texts.Counted(
+                        "Pair.NotAccepted", verdict.NotAccepted.Count, Within(verdict), VerdictParts.Names(verdict.NotAccepted))
+                    : NotAcceptedBetween(verdict),
                 "Pair.AcceptRisk"),
             VerdictCode.OutsideBetween => (
                 texts.With("Pair.OutsideBetween", Within(verdict), VerdictParts.Names(verdict.OutsideBetween)), "Pair.AcceptThere"),
@@ -55,7 +55,8 @@ internal static class MatchVerdictText
                 "Pair.WorstAndNotKnown", Signed(worst), worst.Point!, worst.Feature, between.Feature,
                 $"X{ReportNumber.Plain(between.Place.X)} Y{ReportNumber.Plain(between.Place.Y)}"),
             ({ } worst, { } between) => Texts.Current.With(
-                "Pair.WorstAndBetween", Signed(worst), worst.Point!, worst.Feature, Signed(between), between.Feature,
+                verdict.DoubtfulBetween.Contains(between) ? "Pair.WorstAndDoubtful" : "Pair.WorstAndBetween",
+                Signed(worst), worst.Point!, worst.Feature, Signed(between), between.Feature,
                 $"X{ReportNumber.Plain(between.Place.X)} Y{ReportNumber.Plain(between.Place.Y)}"),
         };
     }
@@ -83,6 +84,25 @@ internal static class MatchVerdictText
     private static string Suspects(IReadOnlyList<SuspectPoint> suspects) => Texts.Current.Counted(
         "Pair.Suspects", suspects.Count, suspects[0].Point, suspects[0].Feature, Shown.SignedMm(suspects[0].StandsOutMm),
         VerdictParts.Names([.. suspects.Select(s => s.Point)]));
+
+    private static string NotKnown(MatchVerdict verdict)
+    {
+        var (unknown, doubtful) = (verdict.NotKnownBetween, verdict.DoubtfulBetween);
+        return doubtful.Count == 0 ? Texts.Current.With("Pair.NotKnownBetween", VerdictParts.Names(unknown))
+            : unknown.Count == 0 ? Texts.Current.With("Pair.DoubtfulBetween", Doubtful(), Bound())
+            : Texts.Current.With("Pair.NotKnownAndDoubtful", VerdictParts.Names(unknown), Doubtful(), Bound());
+
+        string Doubtful() => VerdictParts.Names([.. doubtful.Select(e => e.Feature)]);
+        string Bound() => Shown.MmAsKnown(VerdictWords.Bound(doubtful[0]), null);
+    }
+
+    private static string NotAcceptedBetween(MatchVerdict verdict)
+    {
+        var (points, between) = (verdict.NotAccepted, VerdictParts.Names(verdict.NotAcceptedBetween));
+        return points.Count == 0 ? Texts.Current.With("Pair.NotAcceptedBetween", Within(verdict), between)
+            : Texts.Current.Counted(
+                "Pair.NotAcceptedAndBetween", points.Count, Within(verdict), VerdictParts.Names(points), between);
+    }
 
     private static string Origin(CommonMotion motion) => Texts.Current.With(
         "Pair.CheckOrigin", Shown.SignedMm(motion.ShiftMm.X), Shown.SignedMm(motion.ShiftMm.Y),

@@ -9,6 +9,10 @@ namespace ErrorMatching.Mating;
 /// not for conformance: its points are neither within nor outside.</remarks>
 public sealed record MatchVerdict
 {
+    // The bound of a boundary whose points are near to each other is 1.1 to 2.8 times as wide as the interval of one point (samples): it
+    // holds everywhere, on all features.
+    private const double TooFarApart = 3;
+
     private MatchVerdict()
     {
     }
@@ -46,6 +50,14 @@ public sealed record MatchVerdict
 
     /// <summary>Names of the features with limits of whose boundary between the key points nothing is known.</summary>
     public required IReadOnlyList<string> NotKnownBetween { get; init; }
+
+    /// <summary>The bounds of the features with limits that are expected within them between the key points, but may be outside, because
+    /// the points are too far apart to tell; the largest first.</summary>
+    public required IReadOnlyList<ErrorLeft> DoubtfulBetween { get; init; }
+
+    /// <summary>Names of the features within their limits between the key points whose bounds there the guard bands of the job's rule do
+    /// not accept; none without such bands.</summary>
+    public required IReadOnlyList<string> NotAcceptedBetween { get; init; }
 
     /// <summary>The limits of the mating error if all points have the same; otherwise null.</summary>
     public required ToleranceBand? Limits { get; init; }
@@ -88,6 +100,20 @@ public sealed record MatchVerdict
                 .Select(f => f.Name)];
         IReadOnlyList<string> notKnown = [
             .. report.Features.Where(f => f.WorstBetween is { IsKnown: false } && limits[f.Name].WidthMm > 0).Select(f => f.Name)];
+        ErrorLeft[] bounds = [
+            .. report.Features.Select(ErrorLeft.Between).OfType<ErrorLeft>()
+                .Where(e => e is { IsKnown: true, IsOutside: false, Interval95Mm: not null, Limits.WidthMm: > 0 })];
+        IReadOnlyList<string> betweenNotAccepted = [
+            .. bounds.Where(e => rule.IsGuarded
+                && rule.AcceptanceLimits(e.Limits, e.Interval95Mm!.Value / PredictedError.Factor95)?.Contains(e.MatingErrorMm) != true)
+                .Select(e => e.Feature)];
+
+        // Half the interval of a key point is what the gauge leaves open. Where the bound is much wider, more points would help.
+        ErrorLeft[] doubtful = [
+            .. bounds.Where(e => e.MarginMm < e.Interval95Mm && e.Interval95Mm > TooFarApart * report.KeyPoints
+                .Where(p => p.Feature == e.Feature).Select(p => p.Interval95Mm ?? double.PositiveInfinity)
+                .DefaultIfEmpty(double.PositiveInfinity).Max())
+                .OrderByDescending(e => e.BoundMm)];
         var all = judged.Select(p => LimitsOf(p)).Distinct().ToArray();
         return new()
         {
@@ -96,10 +122,10 @@ public sealed record MatchVerdict
                 : outside.Count > 0 ? VerdictCode.Outside
                 : report.Pair?.IsWithin(limits.Values) == false ? VerdictCode.WillNotAssemble
                 : between.Count > 0 ? VerdictCode.OutsideBetween
-                : notAccepted.Count > 0 ? VerdictCode.NotAccepted
+                : notAccepted.Count + betweenNotAccepted.Count > 0 ? VerdictCode.NotAccepted
                 : report.Trust is { Motion.AsksForOrigin: true } ? VerdictCode.CheckOrigin
                 : judged.Length == 0 ? VerdictCode.NoLimits
-                : notKnown.Count > 0 ? VerdictCode.NotKnownBetween
+                : notKnown.Count + doubtful.Length > 0 ? VerdictCode.NotKnownBetween
                 : VerdictCode.Within,
             Trust = report.Trust,
             IsCompensated = report.IsCorrected,
@@ -109,6 +135,8 @@ public sealed record MatchVerdict
             NotAccepted = notAccepted,
             OutsideBetween = between,
             NotKnownBetween = notKnown,
+            DoubtfulBetween = doubtful,
+            NotAcceptedBetween = betweenNotAccepted,
             Limits = all.Length == 1 ? all[0] : null,
             AllLimits = [.. limits.Values],
             Pair = report.Pair,
@@ -117,7 +145,7 @@ public sealed record MatchVerdict
             WorstBetween = report.Features.Select(ErrorLeft.Between).OfType<ErrorLeft>()
                 .OrderBy(e => e.IsKnown)
                 .ThenByDescending(e => e.Limits.WidthMm > 0 && !e.Limits.Contains(e.MatingErrorMm) ? Math.Abs(e.MatingErrorMm) : 0)
-                .ThenByDescending(e => Math.Abs(e.MatingErrorMm) + (e.Interval95Mm ?? 0))
+                .ThenByDescending(e => e.BoundMm)
                 .FirstOrDefault(),
             ProbabilityAfter = report.ProbabilityAfter,
         };
@@ -140,6 +168,8 @@ public sealed record MatchVerdict
         w.Texts("notAccepted", NotAccepted);
         w.Texts("outsideBetween", OutsideBetween);
         w.Texts("notKnownBetween", NotKnownBetween);
+        w.Texts("doubtfulBetween", [.. DoubtfulBetween.Select(e => e.Feature)]);
+        w.Texts("notAcceptedBetween", NotAcceptedBetween);
         w.Optional("worst", Worst, e => e.Write(w));
         w.Optional("worstBetween", WorstBetween, e => e.Write(w));
         w.Number("probabilityAfter", ProbabilityAfter);
@@ -166,6 +196,9 @@ public sealed record ErrorLeft(
 
     /// <summary>The distance to the nearer limit; negative beyond it.</summary>
     public double MarginMm => Math.Min(MatingErrorMm - Limits.LowerMm, Limits.UpperMm - MatingErrorMm);
+
+    /// <summary>The largest error, either way, that its interval holds.</summary>
+    public double BoundMm => Math.Abs(MatingErrorMm) + (Interval95Mm ?? 0);
 
     /// <summary>True if it is outside its limits, which have a width.</summary>
     public bool IsOutside => Limits.WidthMm > 0 && !Limits.Contains(MatingErrorMm);
@@ -208,8 +241,8 @@ public enum VerdictCode
     /// the origin is right.</summary>
     CheckOrigin,
 
-    /// <summary>Every key point will be within its limits, but nothing is known of the boundary between those of a feature: cut, if its
-    /// form is good enough.</summary>
+    /// <summary>Every key point will be within its limits, but those of a feature say nothing of the boundary between them, or too little:
+    /// cut, if its form is good enough.</summary>
     NotKnownBetween,
 
     /// <summary>A key point will be within its limits, but inside the guard band of the job's rule.</summary>

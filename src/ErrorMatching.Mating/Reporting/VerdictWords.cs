@@ -23,14 +23,14 @@ public static class VerdictWords
                 $"{Within(verdict)}.{unchanged} But {Motion(verdict.Trust!.Motion!)} of what was measured: is the origin right? "
                     + "Cut it if so.",
             VerdictCode.NotKnownBetween =>
-                $"{Within(verdict)}.{unchanged} Between them, nothing is known of {ReportNames.Of(verdict.NotKnownBetween)}. Cut it if the "
-                    + "form there is good enough.",
+                $"{Within(verdict)}.{unchanged} Between them, {Between(verdict)}. Cut it if the form there is good enough.",
             VerdictCode.WillNotAssemble =>
                 $"{Within(verdict)}, but the pair overlaps by more than the limits allow.{unchanged} Do not cut it.",
             VerdictCode.SuspectPoints => $"{Suspects(verdict.Trust!.Suspects)} Do not cut it before.",
             VerdictCode.NotAccepted =>
-                $"{Within(verdict)}, but the decision rule does not accept {Points(verdict.NotAccepted)}: too near the "
-                    + $"{(verdict.NotAccepted.Count == 1 ? "limit" : "limits")}.{unchanged} Do not cut it unless you accept the risk.",
+                $"{Within(verdict)}, but the decision rule does not accept {NotAccepted(verdict)}: too near the "
+                    + (verdict is { NotAccepted.Count: 1, NotAcceptedBetween.Count: 0 } ? "limit" : "limits")
+                    + $".{unchanged} Do not cut it unless you accept the risk.",
             VerdictCode.OutsideBetween =>
                 $"{Within(verdict)}, but {ReportNames.Of(verdict.OutsideBetween)} will be outside between them.{unchanged} "
                     + "Do not cut it unless that is acceptable there.",
@@ -118,6 +118,7 @@ public static class VerdictWords
                         + "\"formMm\" states the form error"
                     : verdict.WorstBetween is { } between
                     ? $"; between them: {Signed(between)} mm on {between.Feature} near {Place(between)}"
+                        + (verdict.DoubtfulBetween.Contains(between) ? ", where one more point would tell most" : "")
                     : "")
                 + ".";
     }
@@ -127,6 +128,31 @@ public static class VerdictWords
 
     /// <summary>An error with its sign and its interval, without unit.</summary>
     internal static string Signed(ErrorLeft error) => ReportNumber.Interval(error.MatingErrorMm, error.Interval95Mm);
+
+    // What is not known, and what is not known well enough.
+    private static string Between(MatchVerdict verdict)
+    {
+        var (unknown, doubtful) = (verdict.NotKnownBetween, verdict.DoubtfulBetween);
+        var bound = doubtful.Count == 0 ? ""
+            : $"{ReportNames.Of([.. doubtful.Select(e => e.Feature)])} may be off by up to {Size(Bound(doubtful[0]), null)}";
+        return unknown.Count == 0 ? bound
+            : $"nothing is known of {ReportNames.Of(unknown)}" + (bound.Length == 0 ? "" : $", and {bound}");
+    }
+
+    /// <summary>The largest error that an interval holds, mm, rounded up: it must not look as if it were within its limits.</summary>
+    public static double Bound(ErrorLeft error)
+    {
+        ArgumentNullException.ThrowIfNull(error);
+        return Math.Ceiling((error.BoundMm * 1000) - 1e-6) / 1000;
+    }
+
+    private static string NotAccepted(MatchVerdict verdict)
+    {
+        var (points, between) = (verdict.NotAccepted, verdict.NotAcceptedBetween);
+        return (points.Count == 0 ? "" : Points(points))
+            + (points.Count > 0 && between.Count > 0 ? ", nor " : "")
+            + (between.Count == 0 ? "" : $"{ReportNames.Of(between)} between the points");
+    }
 
     private static string Within(MatchVerdict verdict) =>
         $"{ReportNumber.Count(verdict.Within)} of {ReportNumber.Count(verdict.Points)} points will be within "

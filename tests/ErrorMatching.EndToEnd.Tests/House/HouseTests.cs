@@ -9,7 +9,6 @@ namespace ErrorMatching.EndToEnd.Tests;
 /// <summary>What holds of the sources as a whole.</summary>
 public sealed partial class HouseTests
 {
-    private const int MostLines = 450;
     private const int MostColumns = 140;
 
     // What each project may refer to. Whoever adds an arrow here turns the architecture round, or says in ARCHITECTURE.md why not.
@@ -74,39 +73,6 @@ public sealed partial class HouseTests
                 yield return (line, number);
             isRaw ^= marks % 2 == 1;
         }
-    }
-
-    [Fact]
-    public void No_type_is_too_long()
-    {
-        var types = new TypeLines();
-        foreach (var file in Sources().Where(f => f.EndsWith(".cs", StringComparison.Ordinal)))
-        {
-            types.Add(Path.GetRelativePath(Repository.Root, file).Split(Path.DirectorySeparatorChar)[1], File.ReadAllText(file));
-        }
-
-        Assert.True(types.Lines.Count > 1000, $"Only {types.Lines.Count} types were found.");
-        Assert.All(types.Lines, t => Assert.True(t.Value <= MostLines, $"{t.Key} has {t.Value} lines."));
-    }
-
-    // The parts of a type are one type, and what stands in a text or a comment is none.
-    [Theory]
-    [InlineData("sealed partial class A\n{\n}\npublic partial class A\n{\n}", "P.A 6")]
-    [InlineData("class A { }", "")]
-    [InlineData("public class A\n{\n    private struct B\n    {\n    }\n\n}", "P.A 4,P.A.B 3")]
-    [InlineData("internal readonly record struct A(int B,\n int C);\npublic class D<T, U>\n    where T : class\n{ }", "P.A 2,P.D`2 3")]
-    [InlineData(
-        "public class A\n{\n string B => $\"} {C(\"}\")} {{\";\n string D => @\"\"\"}\\\";\n char E = '}';\n // }\n /* } */\n}", "P.A 8")]
-    [InlineData("public class A\n{\n string B => $$\"\"\"\n } {{C}}\n public class D { }\n \"\"\";\n}", "P.A 7")]
-    public void Lines_of_types_are_counted(string source, string expected)
-    {
-        var types = new TypeLines();
-        types.Add("P", source);
-        Assert.Equal(
-            expected,
-            string.Join(
-                ',',
-                types.Lines.OrderBy(t => t.Key, StringComparer.Ordinal).Select(t => FormattableString.Invariant($"{t.Key} {t.Value}"))));
     }
 
     [Fact]

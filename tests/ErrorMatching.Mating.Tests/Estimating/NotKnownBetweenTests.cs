@@ -53,6 +53,44 @@ public sealed class NotKnownBetweenTests
         Assert.Equal(0, estimate.Prediction.Features[0].WorstBetween!.AfterMm, 1e-9);
     }
 
+    // The form of 0.02 mm is at 1.96 times that between points at both of which nothing is off.
+    [Fact]
+    public void A_bound_beyond_the_limits_is_part_of_the_verdict()
+    {
+        const string More = Limits + """, "formMm": 0.02 """;
+        var verdict = Line(Two, More).Report().Verdict;
+        Assert.Equal((VerdictCode.NotKnownBetween, true), (verdict.Code, verdict.IsToCut));
+        Assert.Equal(["L1"], verdict.DoubtfulBetween.Select(e => e.Feature));
+        Assert.InRange(verdict.DoubtfulBetween[0].BoundMm, 0.02, 0.06);
+        Assert.Empty(verdict.NotKnownBetween);
+        Assert.Contains(
+            $"Between them, L1 may be off by up to {VerdictWords.Bound(verdict.DoubtfulBetween[0]):0.000}. Cut it if",
+            VerdictWords.Of(verdict), StringComparison.Ordinal);
+        Assert.EndsWith(
+            "on L1 near X25.000 Y0.000, where one more point would tell most.", VerdictWords.Worst(verdict)!, StringComparison.Ordinal);
+
+        // With guard bands, it is not for the program to be cut.
+        var guarded = Line(Two, More) with { More = """ "decision": { "rule": "guard-band", "riskPercent": 5 }, """ };
+        var rule = guarded.Report().Verdict;
+        Assert.Equal((VerdictCode.NotAccepted, false), (rule.Code, rule.IsToCut));
+        Assert.Equal(["L1"], rule.NotAcceptedBetween);
+        Assert.Empty(rule.NotAccepted);
+        Assert.Contains("does not accept L1 between the points: too near the limits", VerdictWords.Of(rule), StringComparison.Ordinal);
+    }
+
+    // Where the gauge is what leaves it open, a key point has the same risk: more points would not help.
+    [Theory]
+    [InlineData(0.008, false)]
+    [InlineData(0.018, false)]
+    [InlineData(0.019, true)]
+    public void What_the_gauge_leaves_open_is_no_doubt_about_the_form(double formMm, bool isDoubtful)
+    {
+        var more = string.Create(CultureInfo.InvariantCulture, $""" "toleranceMm": [-0.0115, 0.0115], "formMm": {formMm} """);
+        var verdict = (Line(Two, more) with { Gauge = """ "uncertaintyMm": 0.005 """ }).Report().Verdict;
+        Assert.True(verdict.WorstBetween!.MarginMm < verdict.WorstBetween.Interval95Mm);
+        Assert.True(isDoubtful == verdict.DoubtfulBetween.Count > 0, $"{verdict.WorstBetween}");
+    }
+
     [Fact]
     public void A_third_point_tells_it()
     {

@@ -42,10 +42,11 @@ public sealed class TrustMatchTests
         Assert.Equal(code, Assert.Single(refused.Refusals).Code);
     }
 
-    // The nominal part, shifted: the same shift is in each reading.
+    // The nominal part, shifted: the same shift is in each reading. Deviations of half a millimeter at four points of L2L3 leave 0.052
+    // possible between them.
     [Theory]
     [InlineData(null, VerdictCode.CheckOrigin)]
-    [InlineData(0.6, VerdictCode.Within)]
+    [InlineData(0.6, VerdictCode.NotKnownBetween)]
     public void A_motion_that_explains_all_asks_for_the_origin(double? most, VerdictCode code)
     {
         var job = Samples.Job("complex-mating") with { CommonMotionMm = most };
