@@ -39,7 +39,7 @@ internal sealed class OffsetChooser
     /// <param name="path">The program before.</param>
     /// <param name="maps">The features on it.</param>
     /// <param name="decision">The decisions on them.</param>
-    /// <param name="estimator">The estimate, after a prediction.</param>
+    /// <param name="piece">The estimate of the measured piece.</param>
     /// <param name="blocks">The program corrected by blocks; null if that is not possible, and then the boundary should be right.</param>
     /// <param name="before">The corrections by offsets with which the measured counterpart was cut; null in feed-forward, which starts
     /// from none.</param>
@@ -50,14 +50,14 @@ internal sealed class OffsetChooser
         NcPath path,
         IReadOnlyList<FeatureMap> maps,
         MatingDecision decision,
-        CourseEstimator estimator,
+        PieceEstimate piece,
         NcPath? blocks,
         OffsetTotals? before,
         string file,
         Marker marker)
     {
         (_job, _path, _maps, _before, _file, _marker, _use) = (job, path, maps, before, file, marker, new(job.Correction, path, maps));
-        _places = estimator.Places();
+        _places = piece.Places();
         var (was, by) = (Cuts(r => r.OnCuts(path)), blocks is null ? null : Cuts(r => r.OnCuts(blocks)));
         _now = [.. _places.Select(p => p.ErrorOn(was(p.Run)))];
         _byBlocks = [

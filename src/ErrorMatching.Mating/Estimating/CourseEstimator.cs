@@ -13,16 +13,12 @@ internal sealed class CourseEstimator
     // Each round makes the program once. The second already measures below a micrometer.
     private const int Rounds = 4;
 
-    // The risk that an error anywhere along the boundary is beyond the bounds of its features.
-    private const double BoundRisk = 0.05;
-
     private readonly MatingJob _job;
     private readonly NcPath _path;
     private readonly IReadOnlyList<FeatureMap> _maps;
     private readonly MatingDecision _decision;
     private readonly IReadOnlyList<Point2>[] _theoretical;
     private readonly List<RunEstimate> _runs = [];
-    private readonly bool _tellsForm;
     private readonly Dictionary<BoundaryElement, int> _features = new(ReferenceEqualityComparer.Instance);
     private readonly Dictionary<FeaturePass, List<BoundaryElement>> _elements = new(ReferenceEqualityComparer.Instance);
 
@@ -51,7 +47,6 @@ internal sealed class CourseEstimator
             }
         }
 
-        _tellsForm = _features.Keys.Any(e => e.OwnPoints > e.PointsOfShape);
         var u = decision.Features[0].StandardUncertaintyMm;
         for (var f = 0; f < maps.Count; f++)
         {
@@ -144,9 +139,9 @@ internal sealed class CourseEstimator
                 rewrite.Result.Patches.Count == 0 ? _path : NcInterpreter.Run(rewrite.Result.Program, _path));
     }
 
-    /// <summary>Predicts the mating error that a program leaves.</summary>
+    /// <summary>Estimates the boundary of the measured piece itself, from what its points say on a program.</summary>
     /// <param name="after">The program to cut: the original one, or that of the estimate.</param>
-    public MatingPrediction Predict(NcPath after)
+    public PieceEstimate Measure(NcPath after)
     {
         foreach (var run in _runs)
         {
@@ -154,19 +149,8 @@ internal sealed class CourseEstimator
             run.Solve(isWhole: true);
         }
 
-        return PredictOn(r => r.OnCuts(after));
+        return new(_job, _path, _maps, _runs, _elements);
     }
-
-    /// <summary>Predicts the mating error that other cuts leave, after a prediction for a program.</summary>
-    /// <param name="cuts">The cuts of each run.</param>
-    public MatingPrediction PredictOn(Func<RunEstimate, RunPath> cuts)
-    {
-        var toPart = _job.Counterpart.Frame.Inverse();
-        return new([.. _maps.Select((map, f) => Predict(map, f, cuts, toPart))]);
-    }
-
-    /// <summary>The places at which ways of cutting are compared, after a prediction for a program.</summary>
-    public IReadOnlyList<ComparedPlace> Places() => [.. _runs.SelectMany(r => r.Places(e => _features[e]))];
 
     /// <summary>The features of the job.</summary>
     public IReadOnlyList<JobFeature> Features => _job.Features;
@@ -199,51 +183,6 @@ internal sealed class CourseEstimator
 
     /// <summary>The runs of cuts that are estimated.</summary>
     public IReadOnlyList<RunEstimate> Runs => _runs;
-
-    private FeaturePrediction Predict(FeatureMap map, int feature, Func<RunEstimate, RunPath> cuts, RigidTransform2 toPart)
-    {
-        var (pass, points) = (map.Passes[0], new PredictedError[map.Feature.Points.Count]);
-        var run = _runs.First(r => r.Run.Contains(pass) && r.Points.Any(p => p.Feature == feature));
-        var (cutsBefore, cutsAfter) = (run.OnCuts(_path), cuts(run));
-        for (var p = 0; p < run.Points.Count; p++)
-        {
-            if (run.Points[p] is var point && point.Feature == feature)
-            {
-                points[point.Index] = new(
-                    toPart.Apply(point.Theoretical),
-                    toPart.Apply(point.Normal),
-                    run.ErrorAt(p, cutsBefore),
-                    run.ErrorAt(p, cutsAfter),
-                    run.UncertaintyMm)
-                {
-                    BaseMm = run.BaseMm(p),
-                };
-            }
-        }
-
-        var limits = map.Feature.Tolerance.Band is { WidthMm: > 0 } band ? band.Opposite() : null;
-        var worst = _elements[pass].Count == 0
-            ? WholeShape.Around(run, _path, pass).WorstOn(cutsBefore, cutsAfter, map.Feature.FormMm, limits, Risk)
-            : PredictedError.Worst(
-                _elements[pass].Where(e => !IsKnown(e)).Select(e => run.WidestGap(e, cutsAfter))
-                    .Append(run.WorstAlong(_elements[pass].FindAll(IsKnown), cutsAfter, limits, Risk)).OfType<PredictedError>(),
-                limits);
-        return new(
-            points,
-            worst is null ? null : worst with { Place = toPart.Apply(worst.Place), Normal = toPart.Apply(worst.Normal) },
-            [.. _elements[pass].Select(run.PriorOf)])
-        {
-            Deviation = _elements[pass].Count == 0 ? null : along => run.DeviationAt(
-                _elements[pass].MinBy(e => Math.Max(0, Math.Max(e.FromMm - along, along - e.ToMm)))!, along),
-        };
-    }
-
-    // With as many points as its shape needs, an element does not tell its form. Another one of the job may tell how large such errors are.
-    private bool IsKnown(BoundaryElement element) =>
-        element.FormMm is not null || element.OwnPoints > element.PointsOfShape || _tellsForm;
-
-    // The bounds of all features together hold with 95 %.
-    private double Risk => 1 - Elementary.Pow(1 - BoundRisk, 1.0 / _maps.Count);
 
     private bool IsCompensated(int feature) => _decision.Features[feature].Decision == Decision.Compensated;
 

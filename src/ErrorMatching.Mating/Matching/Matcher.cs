@@ -80,33 +80,32 @@ public static class Matcher
 
         public CourseEstimator Estimator() => new(Input.Job, Path, Maps, Decision, Input.Theoretical);
 
-        public OffsetChooser Chooser(CourseEstimator estimator, NcPath? after) => new(
-            Input.Job, Path, Maps, Decision, estimator, after, OffsetsBefore(Input), OffsetsFile(Input, Path), Marker);
+        public OffsetChooser Chooser(PieceEstimate piece, NcPath? after) => new(
+            Input.Job, Path, Maps, Decision, piece, after, OffsetsBefore(Input), OffsetsFile(Input, Path), Marker);
 
+        // What the cuts leave of the piece as it was measured.
         public MatchResult Result(
-            NcPath after, MatingPrediction prediction, NcProof proof, DisplacementWish? wish, Rewrite? rewrite, Marker? marker) =>
-            new(Input, Path, after, Maps, Part, Counterpart, Decision, prediction, wish, rewrite, marker, proof)
+            PieceEstimate piece, Func<RunEstimate, RunPath> cuts, NcPath after, NcProof proof, CourseEstimate? course, Marker? marker) =>
+            new(
+                Input, Path, after, Maps, Part, Counterpart, Decision, piece.PredictOn(cuts), course?.Wish, course?.Rewrite, marker, proof)
             {
-                Trust = MeasurementTrust.Of(Input.Job, Estimator().Runs, Decision),
+                Trust = MeasurementTrust.Of(Input.Job, piece.Runs, Decision),
+                Pair = PairEstimator.Of(Path, Maps, piece, Input.Job.Counterpart.Frame.Inverse(), cuts),
             };
 
         // The program as it is, which nothing changes.
-        public MatchResult Original(MatingPrediction prediction, PairAssembly? pair)
+        public MatchResult Original(PieceEstimate piece, Func<RunEstimate, RunPath> cuts)
         {
             var nothing = DisplacementWish.OfElements([]);
             var proof = Prover.Check(Path, Path.Program, nothing, Elementary.Pow(10, -Path.Dialect.MetricDecimals));
-            return Result(Path, prediction, proof, null, null, null) with { Pair = pair };
+            return Result(piece, cuts, Path, proof, null, null);
         }
 
-        public MatchResult WithOffset(CorrectionChoice correction, CourseEstimator estimator, Func<RunEstimate, RunPath> cuts)
+        public MatchResult WithOffset(CorrectionChoice correction, PieceEstimate piece, Func<RunEstimate, RunPath> cuts)
         {
-            var prediction = estimator.PredictOn(cuts);
-            return Original(prediction, Pair(estimator, cuts)) with { Lot = After(Lot, prediction), Correction = correction };
+            var result = Original(piece, cuts);
+            return result with { Lot = After(Lot, result.Prediction), Correction = correction };
         }
-
-        // After a prediction: from the boundary of the piece as it is.
-        public PairAssembly? Pair(CourseEstimator estimator, Func<RunEstimate, RunPath> cuts) =>
-            PairEstimator.Of(Path, Maps, estimator, Input.Job.Counterpart.Frame.Inverse(), cuts);
     }
 
     private static Refusal? CheckBefore(MatchInput input, NcPath path)
@@ -202,7 +201,8 @@ public static class Matcher
         var outcome = estimator.Estimate();
         if (!outcome.IsUsable)
         {
-            return ByOffset(known, estimator) ?? Named(outcome.Refusal, known.Maps);
+            // An offset that brings the boundary to where it should be may do what blocks cannot.
+            return ByOffset(known, estimator.Measure(path)) ?? Named(outcome.Refusal, known.Maps);
         }
 
         var (wish, rewrite) = (outcome.Result.Wish, outcome.Result.Rewrite);
@@ -221,16 +221,15 @@ public static class Matcher
         }
 
         var after = NcInterpreter.Run(program, path);
-        var prediction = estimator.Predict(after);
-        var pair = known.Pair(estimator, r => r.OnCuts(after));
+        var piece = estimator.Measure(after);
         CorrectionChoice? correction = null;
         if (job.Correction.AllowsOffsets)
         {
-            var chooser = known.Chooser(estimator, after);
+            var chooser = known.Chooser(piece, after);
             correction = chooser.Choose(compensates: true);
             if (correction.IsOffset)
             {
-                return known.WithOffset(correction, estimator, chooser.Chosen!);
+                return known.WithOffset(correction, piece, chooser.Chosen!);
             }
 
             if (!job.Correction.Allows(CorrectionKind.Blocks))
@@ -239,19 +238,14 @@ public static class Matcher
             }
         }
 
-        return known.Result(after, prediction, proof, wish, rewrite, marker) with
-        {
-            Lot = After(known.Lot, prediction),
-            Correction = correction,
-            Pair = pair,
-        };
+        var result = known.Result(piece, r => r.OnCuts(after), after, proof, outcome.Result, marker);
+        return result with { Lot = After(known.Lot, result.Prediction), Correction = correction };
     }
 
     private static CounterpartLot? After(CounterpartLot? lot, MatingPrediction prediction) =>
         lot?.After(prediction.Features.SelectMany(f => f.Points.Select(p => p.AfterMm - p.BeforeMm)));
 
-    // Blocks cannot follow; an offset that brings the boundary to where it should be may.
-    private static Outcome<MatchResult>? ByOffset(Known known, CourseEstimator estimator)
+    private static Outcome<MatchResult>? ByOffset(Known known, PieceEstimate piece)
     {
         var job = known.Input.Job;
         if (!job.Correction.AllowsOffsets || job.Compensation is not { Gain: 1, Amount: CompensationAmount.Whole })
@@ -259,11 +253,9 @@ public static class Matcher
             return null;
         }
 
-        // Offsets are compared by the boundary of the piece as it is.
-        estimator.Predict(known.Path);
-        var chooser = known.Chooser(estimator, null);
+        var chooser = known.Chooser(piece, null);
         return chooser.Choose(compensates: true) is { IsOffset: true } correction
-            ? (Outcome<MatchResult>)known.WithOffset(correction, estimator, chooser.Chosen!)
+            ? (Outcome<MatchResult>)known.WithOffset(correction, piece, chooser.Chosen!)
             : null;
     }
 
@@ -288,12 +280,8 @@ public static class Matcher
 
     private static Outcome<MatchResult> Unchanged(Known known)
     {
-        var estimator = known.Estimator();
-        var prediction = estimator.Predict(known.Path);
-        var pair = known.Pair(estimator, r => r.OnCuts(known.Path));
-        var correction = known.Input.Job.Correction.AllowsOffsets
-            ? known.Chooser(estimator, known.Path).Choose(compensates: false)
-            : null;
-        return known.Original(prediction, pair) with { Lot = known.Lot, Correction = correction };
+        var piece = known.Estimator().Measure(known.Path);
+        var correction = known.Input.Job.Correction.AllowsOffsets ? known.Chooser(piece, known.Path).Choose(compensates: false) : null;
+        return known.Original(piece, r => r.OnCuts(known.Path)) with { Lot = known.Lot, Correction = correction };
     }
 }

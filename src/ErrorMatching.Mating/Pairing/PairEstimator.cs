@@ -24,12 +24,12 @@ internal sealed class PairEstimator
     /// <summary>The pair, after a prediction for a program.</summary>
     /// <param name="path">The program before, interpreted.</param>
     /// <param name="maps">The features mapped onto it.</param>
-    /// <param name="estimator">The estimate of the boundary.</param>
+    /// <param name="piece">The estimate of the measured piece.</param>
     /// <param name="toPart">Transform from the program's frame to the part's.</param>
     /// <param name="cuts">The cuts of each run of the program to cut.</param>
     /// <returns>Null if the outline does not tell: fewer than two places, one direction of all normals, or several planes.</returns>
     public static PairAssembly? Of(
-        NcPath path, IReadOnlyList<FeatureMap> maps, CourseEstimator estimator, RigidTransform2 toPart, Func<RunEstimate, RunPath> cuts)
+        NcPath path, IReadOnlyList<FeatureMap> maps, PieceEstimate piece, RigidTransform2 toPart, Func<RunEstimate, RunPath> cuts)
     {
         if (maps.Select(m => m.Feature.Plane).Distinct().Count() > 1)
         {
@@ -37,13 +37,13 @@ internal sealed class PairEstimator
         }
 
         var pair = new PairEstimator(path, maps, toPart);
-        var compared = estimator.Places();
+        var compared = piece.Places();
         foreach (var run in compared.GroupBy(p => p.Run))
         {
             pair.AddElements(run.Key, [.. run], cuts(run.Key), 1 + (compared.Count / MostPlaces));
         }
 
-        foreach (var run in estimator.Runs.Where(r => r.Run.Elements.Count == 0))
+        foreach (var run in piece.Runs.Where(r => r.Run.Elements.Count == 0))
         {
             pair.AddWhole(run, cuts(run));
         }

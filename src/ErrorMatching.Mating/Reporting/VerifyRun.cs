@@ -94,9 +94,8 @@ public static class VerifyRun
             {
                 GapMm = map.Feature.GapMm,
             })]).ToArray();
-        var estimator = new CourseEstimator(job, path, maps, Decider.Decide(job, points), input.Theoretical);
-        estimator.Predict(path);
-        return PairEstimator.Of(path, maps, estimator, job.Counterpart.Frame.Inverse(), r => r.OnCuts(path));
+        var piece = new CourseEstimator(job, path, maps, Decider.Decide(job, points), input.Theoretical).Measure(path);
+        return PairEstimator.Of(path, maps, piece, job.Counterpart.Frame.Inverse(), r => r.OnCuts(path));
     }
 
     private static VerifiedBoundary Boundary(VerifyInput input, NcPath path, FeatureMap map)
