@@ -361,7 +361,6 @@ internal sealed class RunEstimate
                 {
                     KeptMm = differs - corrected - ignored,
                     GapMm = own.GapMm,
-                    StandardDeviationMm = DeviationSigma(element, along),
                     Terms = [TermOf(element, along, 1)],
                 };
             }
@@ -466,9 +465,6 @@ internal sealed class RunEstimate
 /// <param name="NominalMm">Distance of the path from a boundary that is right, mm.</param>
 internal sealed record ComparedPlace(RunEstimate Run, int Feature, int Point, Point2 Place, Vector2 Normal, double NominalMm)
 {
-    /// <summary>How well it is known where the boundary should be between key points, mm; 0 at a key point, which is as measured.</summary>
-    public double StandardDeviationMm { get; init; }
-
     /// <summary>The deviations of the run's elements that move the place; none beside features without elements.</summary>
     public IReadOnlyList<RowTerm> Terms { get; init; } = [];
 
