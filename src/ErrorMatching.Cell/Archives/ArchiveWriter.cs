@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Security.Cryptography;
-using Dapper;
 using Microsoft.Data.Sqlite;
 
 namespace ErrorMatching.Cell;
@@ -86,7 +85,7 @@ internal static class ArchiveWriter
         {
             archive.Execute(
                 "INSERT INTO content (sha256, bytes, form, length) VALUES (@sha256, @Bytes, @Form, @Length)",
-                new { sha256, content.Bytes, content.Form, content.Length },
+                [("sha256", sha256), ("Bytes", content.Bytes), ("Form", content.Form), ("Length", content.Length)],
                 transaction);
         }
 

@@ -1,7 +1,6 @@
 using System.Data.Common;
 using System.Globalization;
 using System.Text.RegularExpressions;
-using Dapper;
 using Microsoft.Data.Sqlite;
 
 namespace ErrorMatching.Cell;
@@ -83,7 +82,7 @@ internal sealed partial class ContentArchive : IDisposable
     /// <exception cref="StoreException">With <see cref="StoreError.Damaged"/> if it is not in the archive as it was kept.</exception>
     public byte[] Plain(string sha256, long? length) => Named(() =>
         Rows.Query(_connection, Columns + " WHERE sha256 = @sha256", ContentRow.ReadOrNull,
-            new { sha256, most = Math.Min(length ?? 0, MostContentBytes) })
+            [("sha256", sha256), ("most", Math.Min(length ?? 0, MostContentBytes))])
             is [{ } packed]
             && PlainOf(packed, length) is { } plain
             && ContentRow.Sha256(plain) == sha256
@@ -97,7 +96,7 @@ internal sealed partial class ContentArchive : IDisposable
             _connection,
             Columns + " ORDER BY sha256",
             r => (r.GetString(5), ContentRow.ReadOrNull(r)),
-            new { most = MostContentBytes }).GetEnumerator();
+            [("most", MostContentBytes)]).GetEnumerator();
         while (Named(rows.MoveNext)) yield return rows.Current;
     }
 
@@ -135,7 +134,7 @@ internal sealed partial class ContentArchive : IDisposable
             connection.Execute("PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON; PRAGMA mmap_size = 0");
             var things = Rows.Query(
                 connection, "SELECT sql FROM sqlite_master WHERE name <> 'sqlite_autoindex_content_1'", r => r.TextOrNull(0));
-            if (connection.QuerySingle<int>("PRAGMA application_id") != ApplicationId || things is not [Table])
+            if (connection.Value<int>("PRAGMA application_id") != ApplicationId || things is not [Table])
             {
                 throw Damaged(file, "it is not a file that errormatch cell thin wrote.", null);
             }

@@ -1,6 +1,5 @@
 using System.Data.Common;
 using System.Globalization;
-using Dapper;
 using Microsoft.Data.Sqlite;
 using Npgsql;
 
@@ -56,8 +55,8 @@ internal static class StoreCheck
         using var connection = new SqliteConnection(
             new SqliteConnectionStringBuilder { DataSource = file, Mode = SqliteOpenMode.ReadOnly, Pooling = false }.ConnectionString);
         connection.Open();
-        return connection.QuerySingle<int>("PRAGMA application_id") == SqliteDatabase.ApplicationId
-            ? connection.QuerySingle<long?>(FormOf) ?? 0
+        return connection.Value<int>("PRAGMA application_id") == SqliteDatabase.ApplicationId
+            ? connection.Value<long?>(FormOf) ?? 0
             : throw new StoreException(StoreError.Foreign, $"{file} is a database, but not of a cell. Name another file as the store.");
     }
 
@@ -65,9 +64,9 @@ internal static class StoreCheck
     {
         using var connection = new NpgsqlConnection(PostgresDatabase.Connection(settings).ConnectionString);
         connection.Open();
-        return connection.QuerySingle<string?>("SELECT to_regclass('migration')::text") is null
+        return connection.Value<string?>("SELECT to_regclass('migration')::text") is null
             ? null
-            : connection.QuerySingle<long?>(FormOf);
+            : connection.Value<long?>(FormOf);
     }
 
     private static string Place(StoreSettings settings) => settings switch

@@ -1,5 +1,4 @@
 using System.Data.Common;
-using Dapper;
 using ErrorMatching.Reporting;
 using Microsoft.Data.Sqlite;
 
@@ -80,7 +79,7 @@ internal static class DatabaseForm
         var file = OfFile(made, null);
         var tables = file.Keys.Where(k => k.Kind == "table" && !k.Name.StartsWith("sqlite_", StringComparison.Ordinal)).ToArray();
         var columns = tables.SelectMany(t =>
-            Rows.Query(made, "SELECT name FROM pragma_table_info(@Name)", r => ("column", $"{t.Name}.{r.GetString(0)}"), new { t.Name }));
+            Rows.Query(made, "SELECT name FROM pragma_table_info(@Name)", r => ("column", $"{t.Name}.{r.GetString(0)}"), [("Name", t.Name)]));
         var indexes = file.Where(f => f.Key.Kind == "index" && f.Value.Length > 0).Select(f => f.Key);
         var triggers = Migrations.Arguments("append_only").SelectMany(table => new[]
         {

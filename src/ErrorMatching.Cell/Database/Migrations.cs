@@ -2,7 +2,6 @@ using System.Data.Common;
 using System.Globalization;
 using System.Reflection;
 using System.Text.RegularExpressions;
-using Dapper;
 
 namespace ErrorMatching.Cell;
 
@@ -65,7 +64,7 @@ internal static partial class Migrations
         connection.Execute(Sql(migration, database.Word), transaction: transaction);
         connection.Execute(
             "INSERT INTO migration (number, name, at) VALUES (@Number, @Name, @At)",
-            new { migration.Number, migration.Name, At = StoredTime.Of(clock.GetUtcNow()) },
+            [("Number", migration.Number), ("Name", migration.Name), ("At", StoredTime.Of(clock.GetUtcNow()))],
             transaction);
         if (number == 0)
         {
@@ -78,7 +77,7 @@ internal static partial class Migrations
     });
 
     private static long Number(DbConnection connection, DbTransaction? transaction) =>
-        connection.QuerySingle<long?>("SELECT max(number) FROM migration", transaction: transaction) ?? 0;
+        connection.Value<long?>("SELECT max(number) FROM migration", transaction: transaction) ?? 0;
 
     private static Migration[] ReadAll()
     {

@@ -32,7 +32,7 @@ internal sealed record Person(string Name, Role? Role, string Password, bool IsD
 
     /// <summary>Finds the user with a name, ignoring case; null if there is none.</summary>
     public static Person? Find(StoreTransaction transaction, string name) =>
-        transaction.Query(SelectKept + " WHERE name_key = @Key", ReadKept, new { Key = UserName.Key(name) }) is [var row]
+        transaction.Query(SelectKept + " WHERE name_key = @Key", ReadKept, [("Key", UserName.Key(name))]) is [var row]
             ? Looked(row, transaction.Key) : null;
 
     /// <summary>All users, ordered by name.</summary>
@@ -76,17 +76,16 @@ internal sealed record Person(string Name, Role? Role, string Password, bool IsD
             + "row_code = @Code WHERE name_key = @Key",
         Columns(transaction));
 
-    private object Columns(StoreTransaction transaction) => new
-    {
-        Key = UserName.Key(Name),
-        Name,
-        Role = RoleWord,
-        Password,
-        IsDisabled = IsDisabled ? 1 : 0,
-        AddedAt = StoredTime.Of(AddedAt),
-        PasswordAt = StoredTime.Of(PasswordAt),
-        Code = transaction.CodeOf(Coded(this)),
-    };
+    private SqlArguments Columns(StoreTransaction transaction) => [
+        ("Key", UserName.Key(Name)),
+        ("Name", Name),
+        ("Role", RoleWord),
+        ("Password", Password),
+        ("IsDisabled", IsDisabled ? 1 : 0),
+        ("AddedAt", StoredTime.Of(AddedAt)),
+        ("PasswordAt", StoredTime.Of(PasswordAt)),
+        ("Code", transaction.CodeOf(Coded(this))),
+    ];
 
     /// <summary>The user, and whether the row was changed outside the cell.</summary>
     public static Person Looked(StoredRow<Person> row, byte[]? key) => row.Value with { IsAsLeft = row.Holds(key) };

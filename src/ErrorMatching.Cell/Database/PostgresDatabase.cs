@@ -3,7 +3,6 @@ using System.Data.Common;
 using System.Diagnostics;
 using System.Globalization;
 using System.Net.Sockets;
-using Dapper;
 using Npgsql;
 
 namespace ErrorMatching.Cell;
@@ -107,25 +106,25 @@ internal sealed class PostgresDatabase : CellDatabase
     public override void Inspect() => Read(connection =>
     {
         // The server checks its own files; hashes verify contents and the audit trail.
-        if (connection.QuerySingle<string>("SHOW server_encoding") != "UTF8")
+        if (connection.Value<string>("SHOW server_encoding") != "UTF8")
         {
             throw new StoreException(
                 StoreError.NotSupported,
                 $"{Place} cannot keep every text: make its database with createdb --encoding=UTF8 --template=template0.");
         }
 
-        return connection.QuerySingle<string>("SHOW fsync") == "on"
+        return connection.Value<string>("SHOW fsync") == "on"
             ? true
             : throw new StoreException(
                 StoreError.NotSupported, $"{Place} forgets at a power cut what it has acknowledged: set fsync = on for its server.");
     });
 
     public override bool HasTable(DbConnection connection, string name) =>
-        connection.QuerySingle<long>(
-            "SELECT count(*) FROM pg_tables WHERE schemaname = current_schema() AND tablename = @name", new { name }) == 1;
+        connection.Value<long>(
+            "SELECT count(*) FROM pg_tables WHERE schemaname = current_schema() AND tablename = @name", [("name", name)]) == 1;
 
     public override void WaitForMigration(DbConnection connection, DbTransaction transaction) =>
-        connection.Execute("SELECT pg_advisory_xact_lock(@MigrationLock)", new { MigrationLock }, transaction);
+        connection.Execute("SELECT pg_advisory_xact_lock(@MigrationLock)", [("MigrationLock", MigrationLock)], transaction);
 
     public override ISlotLock? TryLock(string name) => Named(() => _locks.TryTake(name));
 
@@ -153,7 +152,7 @@ internal sealed class PostgresDatabase : CellDatabase
 
         try
         {
-            OnReader(connection => connection.Execute("SELECT pg_notify(@Channel, @_own)", new { Channel, _own }));
+            OnReader(connection => connection.Execute("SELECT pg_notify(@Channel, @_own)", [("Channel", Channel), ("_own", _own)]));
         }
         catch (DbException)
         {
@@ -191,8 +190,8 @@ internal sealed class PostgresDatabase : CellDatabase
     // To use a schema that is there, no right to make one is needed.
     private void Make(string schema)
     {
-        if (Read(connection => connection.QuerySingle<long>(
-            "SELECT count(*) FROM pg_namespace WHERE nspname = @schema", new { schema })) > 0) return;
+        if (Read(connection => connection.Value<long>(
+            "SELECT count(*) FROM pg_namespace WHERE nspname = @schema", [("schema", schema)])) > 0) return;
         Change((connection, transaction) =>
         {
             WaitForMigration(connection, transaction);

@@ -1,4 +1,3 @@
-using Dapper;
 using Npgsql;
 
 namespace ErrorMatching.Cell;
@@ -34,8 +33,8 @@ internal sealed class PostgresLocks(string connectionString, string part) : IDis
             var connection = _connection ??= Open();
             try
             {
-                if (!connection.ExecuteScalar<bool>(
-                    "SELECT pg_try_advisory_lock(hashtextextended(@Name, 0))", new { Name = part + name }, commandTimeout: AnswerSeconds))
+                if (!connection.Value<bool>(
+                    "SELECT pg_try_advisory_lock(hashtextextended(@Name, 0))", [("Name", part + name)], commandTimeout: AnswerSeconds))
                     return null;
             }
             catch (NpgsqlException)
@@ -57,11 +56,11 @@ internal sealed class PostgresLocks(string connectionString, string part) : IDis
             if (_connection != on || !_held.Contains(name)) return false;
             try
             {
-                if (on.ExecuteScalar<long>(
+                if (on.Value<long>(
                     "SELECT count(*) FROM pg_locks, (SELECT hashtextextended(@Name, 0) AS key) AS wanted "
                         + "WHERE locktype = 'advisory' AND pid = pg_backend_pid() AND granted AND objsubid = 1 "
                         + "AND classid::bigint = ((key >> 32) & 4294967295) AND objid::bigint = (key & 4294967295)",
-                    new { Name = part + name },
+                    [("Name", part + name)],
                     commandTimeout: AnswerSeconds) == 1) return true;
             }
             catch (Exception failure) when (failure is NpgsqlException or InvalidOperationException)
@@ -83,7 +82,7 @@ internal sealed class PostgresLocks(string connectionString, string part) : IDis
             try
             {
                 on.Execute(
-                    "SELECT pg_advisory_unlock(hashtextextended(@Name, 0))", new { Name = part + name }, commandTimeout: AnswerSeconds);
+                    "SELECT pg_advisory_unlock(hashtextextended(@Name, 0))", [("Name", part + name)], commandTimeout: AnswerSeconds);
             }
             catch (Exception failure) when (failure is NpgsqlException or InvalidOperationException)
             {
@@ -102,7 +101,7 @@ internal sealed class PostgresLocks(string connectionString, string part) : IDis
     {
         try
         {
-            return _connection!.ExecuteScalar<int>("SELECT 1", commandTimeout: AnswerSeconds) == 1;
+            return _connection!.Value<int>("SELECT 1", commandTimeout: AnswerSeconds) == 1;
         }
         catch (Exception failure) when (failure is NpgsqlException or InvalidOperationException)
         {

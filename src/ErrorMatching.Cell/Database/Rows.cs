@@ -1,5 +1,4 @@
 using System.Data.Common;
-using Dapper;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
@@ -8,7 +7,7 @@ namespace ErrorMatching.Cell;
 internal static class Rows
 {
     public static IReadOnlyList<T> Query<T>(
-        DbConnection connection, string sql, Func<DbDataReader, T> row, object? parameters = null, DbTransaction? transaction = null)
+        DbConnection connection, string sql, Func<DbDataReader, T> row, SqlArguments? parameters = null, DbTransaction? transaction = null)
     {
         var rows = new List<T>();
         foreach (var each in Stream(connection, sql, row, parameters, transaction)) rows.Add(each);
@@ -17,20 +16,21 @@ internal static class Rows
 
     /// <summary>The first row; null if there is none.</summary>
     public static T? First<T>(
-        DbConnection connection, string sql, Func<DbDataReader, T> row, object? parameters = null, DbTransaction? transaction = null)
+        DbConnection connection, string sql, Func<DbDataReader, T> row, SqlArguments? parameters = null, DbTransaction? transaction = null)
         where T : class
     {
-        using var reader = (DbDataReader)connection.ExecuteReader(sql, parameters, transaction);
+        using var command = Sql.Command(connection, sql, parameters, transaction);
+        using var reader = command.ExecuteReader();
         return reader.Read() ? row(reader) : null;
     }
 
     /// <summary>The rows, read one at a time as they are enumerated.</summary>
     public static IEnumerable<T> Stream<T>(
-        DbConnection connection, string sql, Func<DbDataReader, T> row, object? parameters = null, DbTransaction? transaction = null)
+        DbConnection connection, string sql, Func<DbDataReader, T> row, SqlArguments? parameters = null, DbTransaction? transaction = null)
     {
-        using var reader = (DbDataReader)connection.ExecuteReader(sql, parameters, transaction);
-        var rows = (reader as IWrappedDataReader)?.Reader as DbDataReader ?? reader;
-        while (rows.Read()) yield return row(rows);
+        using var command = Sql.Command(connection, sql, parameters, transaction);
+        using var reader = command.ExecuteReader();
+        while (reader.Read()) yield return row(reader);
     }
 
     /// <summary>A statement in a column; null for none.</summary>

@@ -51,16 +51,16 @@ internal static class SlotRow
     /// <summary>Codes a slot's current row; the audit entry that follows names the code.</summary>
     public static void Code(StoreTransaction transaction, string machine, string slot)
     {
-        var row = transaction.Key is null ? null : transaction.First(SelectKept + One, ReadKept, new { Machine = machine, Slot = slot });
+        var row = transaction.Key is null ? null : transaction.First(SelectKept + One, ReadKept, [("Machine", machine), ("Slot", slot)]);
         transaction.Execute("UPDATE slot SET row_code = @Code" + One,
-            new { Machine = machine, Slot = slot, Code = row is null ? null : transaction.CodeOf(row.Coded) });
+            [("Machine", machine), ("Slot", slot), ("Code", row is null ? null : transaction.CodeOf(row.Coded))]);
     }
 
     /// <summary>Verifies that a slot's row is as the cell wrote it, before it is changed.</summary>
     /// <exception cref="StoreException">With <see cref="StoreError.Tampered"/>.</exception>
     public static void Demand(StoreTransaction transaction, string machine, string slot)
     {
-        if (transaction.Key is not null && transaction.First(SelectKept + One, ReadKept, new { Machine = machine, Slot = slot }) is { } row
+        if (transaction.Key is not null && transaction.First(SelectKept + One, ReadKept, [("Machine", machine), ("Slot", slot)]) is { } row
             && !row.Holds(transaction.Key))
         {
             throw Tampered(row);
@@ -76,7 +76,7 @@ internal static class SlotRow
     public static bool Free(StoreTransaction transaction, string machine, string slot, long correction, string by, Statement basis)
     {
         Demand(transaction, machine, slot);
-        if (transaction.Execute(GiveBack, new { Machine = machine, Slot = slot, Id = correction }) != 1) return false;
+        if (transaction.Execute(GiveBack, [("Machine", machine), ("Slot", slot), ("Id", correction)]) != 1) return false;
         Code(transaction, machine, slot);
         transaction.Audit(by, "freed", Recorded.Slot.With(slot, machine), basis);
         return true;
@@ -107,13 +107,13 @@ internal static class SlotRow
         }
 
         Demand(transaction, to.Machine, to.Slot);
-        if (transaction.Execute(sql, new { to.Machine, to.Slot, to.Id, to.ProgramSha256, to.PreviousSha256, to.UndoSha256 }) == 1)
+        if (transaction.Execute(sql, [("Machine", to.Machine), ("Slot", to.Slot), ("Id", to.Id), ("ProgramSha256", to.ProgramSha256), ("PreviousSha256", to.PreviousSha256), ("UndoSha256", to.UndoSha256)]) == 1)
         {
             Code(transaction, to.Machine, to.Slot);
             return;
         }
 
-        var slot = transaction.First(Select, Read, new { to.Machine, to.Slot });
+        var slot = transaction.First(Select, Read, [("Machine", to.Machine), ("Slot", to.Slot)]);
         if (slot?.Correction is { } holder && holder != to.Id) throw new SlotTakenException(to.Machine, to.Slot, holder);
         throw new StoreException(
             StoreError.Conflict,

@@ -1,4 +1,3 @@
-using Dapper;
 using Microsoft.Data.Sqlite;
 using SQLitePCL;
 
@@ -16,7 +15,7 @@ internal static class SqliteCopy
     {
         // This view excludes concurrent changes. Without it, each of them would restart the copy.
         using var view = from.BeginTransaction(deferred: true);
-        from.QuerySingle<long>("SELECT count(*) FROM sqlite_master", transaction: view);
+        from.Value<long>("SELECT count(*) FROM sqlite_master", transaction: view);
         using var copy = raw.sqlite3_backup_init(to.Handle, "main", from.Handle, "main");
         if (copy.IsInvalid)
         {
@@ -46,7 +45,7 @@ internal static class SqliteCopy
         using var interrupt = cancellation.UnsafeRegister(_ => raw.sqlite3_interrupt(database.Handle), null);
         try
         {
-            return database.QueryFirst<string>("PRAGMA quick_check(1)");
+            return database.Value<string>("PRAGMA quick_check(1)")!;
         }
         catch (SqliteException) when (cancellation.IsCancellationRequested)
         {

@@ -3,7 +3,6 @@ using System.Data.Common;
 using System.Globalization;
 using System.Security.Cryptography;
 using System.Text;
-using Dapper;
 using Microsoft.Data.Sqlite;
 
 namespace ErrorMatching.Cell;
@@ -77,7 +76,7 @@ internal sealed class SqliteDatabase : CellDatabase
             : length <= QuickCheckBytes ? ["quick_check(1)"]
             : Acting.Where(t => HasTable(connection, t)).Select(t => $"quick_check({t})"))
         {
-            var found = connection.QueryFirst<string>($"PRAGMA {check}");
+            var found = connection.Value<string>($"PRAGMA {check}")!;
             if (found != "ok") throw SqliteFailure.Damaged(_file, found, null);
         }
 
@@ -85,7 +84,7 @@ internal sealed class SqliteDatabase : CellDatabase
     });
 
     public override bool HasTable(DbConnection connection, string name) =>
-        connection.QuerySingle<long>("SELECT count(*) FROM sqlite_master WHERE type = 'table' AND name = @name", new { name }) == 1;
+        connection.Value<long>("SELECT count(*) FROM sqlite_master WHERE type = 'table' AND name = @name", [("name", name)]) == 1;
 
     public override void WaitForMigration(DbConnection connection, DbTransaction transaction)
     {
@@ -330,7 +329,7 @@ internal sealed class SqliteDatabase : CellDatabase
 
         if (_readOnly is not null && !toRead) throw _readOnly;
 
-        var id = Read(connection => connection.QuerySingle<int>("PRAGMA application_id"));
+        var id = Read(connection => connection.Value<int>("PRAGMA application_id"));
         if (id != ApplicationId)
             throw new StoreException(StoreError.Foreign, $"{_file} is a database, but not of a cell. Name another file as the store.");
     }

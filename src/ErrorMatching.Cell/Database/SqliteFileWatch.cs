@@ -1,4 +1,3 @@
-using Dapper;
 using Microsoft.Data.Sqlite;
 
 namespace ErrorMatching.Cell;
@@ -62,10 +61,10 @@ internal sealed class SqliteFileWatch(string file, Func<AuditHead?> seen)
             var how = new SqliteConnectionStringBuilder { DataSource = file, Mode = SqliteOpenMode.ReadOnly, Pooling = false };
             using var connection = new SqliteConnection(how.ConnectionString);
             connection.Open();
-            if (connection.QuerySingle<int>("PRAGMA application_id") != SqliteDatabase.ApplicationId)
+            if (connection.Value<int>("PRAGMA application_id") != SqliteDatabase.ApplicationId)
                 return Replaced("it is no store of a cell");
             var head = AuditRow.Head(connection, null, "");
-            var hash = connection.QueryFirstOrDefault<string>("SELECT hash FROM audit WHERE seq = @Seq", new { last.Seq });
+            var hash = connection.Value<string>("SELECT hash FROM audit WHERE seq = @Seq", [("Seq", last.Seq)]);
             return head.Seq < last.Seq
                 ? Replaced(FormattableString.Invariant($"it lacks entries {head.Seq + 1} to {last.Seq} of the audit trail"))
                 : hash != last.Hash ? Replaced(FormattableString.Invariant($"entry {last.Seq} of its audit trail is another one"))

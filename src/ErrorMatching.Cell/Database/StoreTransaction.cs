@@ -1,6 +1,5 @@
 using System.Data.Common;
 using System.Globalization;
-using Dapper;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
@@ -45,17 +44,17 @@ internal sealed class StoreTransaction
 
     /// <summary>Runs a statement; its parameters are the properties of an object.</summary>
     /// <returns>How many rows it changed.</returns>
-    public int Execute(string sql, object? parameters = null) => Connection.Execute(sql, parameters, _transaction);
+    public int Execute(string sql, SqlArguments? parameters = null) => Connection.Execute(sql, parameters, _transaction);
 
     /// <summary>The first column of the first row; the type's default if there is no row.</summary>
-    public T? Value<T>(string sql, object? parameters = null) => Connection.QueryFirstOrDefault<T>(sql, parameters, _transaction);
+    public T? Value<T>(string sql, SqlArguments? parameters = null) => Connection.Value<T>(sql, parameters, _transaction);
 
     /// <summary>The rows that a statement finds.</summary>
-    public IReadOnlyList<T> Query<T>(string sql, Func<DbDataReader, T> row, object? parameters = null) =>
+    public IReadOnlyList<T> Query<T>(string sql, Func<DbDataReader, T> row, SqlArguments? parameters = null) =>
         Rows.Query(Connection, sql, row, parameters, _transaction);
 
     /// <summary>The first row that a statement finds; null if it finds none.</summary>
-    public T? First<T>(string sql, Func<DbDataReader, T> row, object? parameters = null)
+    public T? First<T>(string sql, Func<DbDataReader, T> row, SqlArguments? parameters = null)
         where T : class => Rows.First(Connection, sql, row, parameters, _transaction);
 
     /// <summary>The key that codes rows and seals the end of the trail; null for none.</summary>
@@ -91,7 +90,7 @@ internal sealed class StoreTransaction
         {
             Execute(
                 "UPDATE audit_head SET seq = @Seq, at = @At, hash = @Hash, seal = @Seal WHERE only_row = 1",
-                new { _head.Seq, At = StoredTime.Of(_head.At), _head.Hash, _head.Seal });
+                [("Seq", _head.Seq), ("At", StoredTime.Of(_head.At)), ("Hash", _head.Hash), ("Seal", _head.Seal)]);
         }
 
         return _head;
@@ -106,18 +105,17 @@ internal sealed class StoreTransaction
         Execute(
             $"INSERT INTO audit (seq, at, who, what, subject, basis, previous, hash{column}) VALUES (@Seq, @At, @Who, @What, @Subject, "
                 + $"@Basis, @Previous, @Hash{value})",
-            new
-            {
-                entry.Seq,
-                At = StoredTime.Of(Now),
-                entry.Who,
-                entry.What,
-                Subject = entry.Subject?.Text,
-                Basis = entry.Basis.Text,
-                entry.Previous,
-                entry.Hash,
-                entry.RowCodes,
-            });
+            [
+                ("Seq", entry.Seq),
+                ("At", StoredTime.Of(Now)),
+                ("Who", entry.Who),
+                ("What", entry.What),
+                ("Subject", entry.Subject?.Text),
+                ("Basis", entry.Basis.Text),
+                ("Previous", entry.Previous),
+                ("Hash", entry.Hash),
+                ("RowCodes", entry.RowCodes),
+            ]);
         _head = _head.With(entry, _auditKey, begins: what == "created" && _head.Seq == 0);
     }
 }

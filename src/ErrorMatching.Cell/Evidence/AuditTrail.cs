@@ -60,7 +60,7 @@ public sealed class AuditTrail(CellStore store, string keysFolder, string? witne
             };
 
             IReadOnlyList<AuditEntry> At(long seq) => Rows.Query(
-                connection, AuditRow.Select + " WHERE seq = @seq", AuditRow.ReadOrUnreadable, new { seq }, transaction);
+                connection, AuditRow.Select + " WHERE seq = @seq", AuditRow.ReadOrUnreadable, [("seq", seq)], transaction);
         });
         if (finding.Holds && finding.Entries > (witness?.Seq ?? 0))
         {

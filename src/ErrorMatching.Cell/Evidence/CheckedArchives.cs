@@ -55,7 +55,7 @@ internal sealed class CheckedArchives(string? folder)
                 connection,
                 $"SELECT sha256, length FROM content WHERE form = '{PackedContent.Archive}' AND source = @name ORDER BY sha256",
                 r => (Sha256: r.GetString(0), Length: r.IsDBNull(1) ? (long?)null : r.GetInt64(1)),
-                new { name },
+                [("name", name)],
                 transaction))
             {
                 cancellation.ThrowIfCancellationRequested();

@@ -30,7 +30,7 @@ public sealed class MachineSecrets(CellStore store, string keysFolder)
         {
             t.Execute(
                 "INSERT INTO machine_secret (machine, bytes) VALUES (@Machine, @Bytes) ON CONFLICT (machine) DO UPDATE SET bytes = @Bytes",
-                new { Machine = machine, Bytes = bytes });
+                [("Machine", machine), ("Bytes", bytes)]);
             t.Audit(by, "secret-set", machine, "");
             return bytes;
         });
@@ -40,7 +40,7 @@ public sealed class MachineSecrets(CellStore store, string keysFolder)
     /// <returns>False if there was none.</returns>
     public bool Remove(string machine, string by) => store.Write(t =>
     {
-        var any = t.Execute("DELETE FROM machine_secret WHERE machine = @Machine", new { Machine = machine }) > 0;
+        var any = t.Execute("DELETE FROM machine_secret WHERE machine = @Machine", [("Machine", machine)]) > 0;
         if (any)
         {
             t.Audit(by, "secret-removed", machine, "");
@@ -56,7 +56,7 @@ public sealed class MachineSecrets(CellStore store, string keysFolder)
         store.Read(
             "SELECT bytes FROM machine_secret WHERE machine = @Machine",
             r => (byte[])r.GetValue(0),
-            new { Machine = machine }) is [var bytes]
+            [("Machine", machine)]) is [var bytes]
             ? _keys.Value.Unprotect(PurposesOf(machine), bytes, $"The password of machine {machine}")
             : null;
 

@@ -26,7 +26,7 @@ internal sealed record SignInFailures(int Failures, DateTimeOffset Last)
         var rows = transaction.Query(
             "SELECT failures, failed_at FROM sign_in_failure WHERE name_hash = @Hash",
             r => new SignInFailures(r.GetInt32(0), StoredTime.From(r.GetInt64(1))),
-            new { Hash = UserName.Hash(name) });
+            [("Hash", UserName.Hash(name))]);
         return rows is [var row] ? row : new(0, transaction.Now);
     }
 
@@ -37,12 +37,12 @@ internal sealed record SignInFailures(int Failures, DateTimeOffset Last)
         var (kept, name) = (Of(transaction, person.Name), StoredText.Name(person.Name));
         var unlocked = transaction.Value<long?>(
             "SELECT max(seq) FROM audit WHERE subject = @Name AND what IN ('user-added', 'user-enabled', 'password-set')",
-            new { Name = StoredText.NameOrNull((Statement?)person.Name)!.Text }) ?? 0;
+            [("Name", StoredText.NameOrNull((Statement?)person.Name)!.Text)]) ?? 0;
         var recorded = transaction.Query(
                 "SELECT what, at FROM audit WHERE who = @name AND seq > @unlocked AND what IN ('sign-in-failed', 'locked', 'signed-in') "
                     + "ORDER BY seq DESC LIMIT @MostRecorded",
                 r => (IsFailure: r.GetString(0) != "signed-in", At: StoredTime.From(r.GetInt64(1))),
-                new { name, unlocked, MostRecorded })
+                [("name", name), ("unlocked", unlocked), ("MostRecorded", MostRecorded)])
             .TakeWhile(e => e.IsFailure).ToArray();
         return recorded is not [var last, ..] ? kept
             : new(
@@ -58,24 +58,24 @@ internal sealed record SignInFailures(int Failures, DateTimeOffset Last)
         INSERT INTO sign_in_failure (name_hash, is_user, failures, failed_at) VALUES (@Hash, @IsUser, @Failures, @Last)
         ON CONFLICT (name_hash) DO UPDATE SET is_user = @IsUser, failures = @Failures, failed_at = @Last
         """,
-        new { Hash = UserName.Hash(name), IsUser = isUser ? 1 : 0, Failures, Last = StoredTime.Of(Last) });
+        [("Hash", UserName.Hash(name)), ("IsUser", isUser ? 1 : 0), ("Failures", Failures), ("Last", StoredTime.Of(Last))]);
 
     /// <summary>Clears the failures for a name.</summary>
     public static void Forget(StoreTransaction transaction, string name) =>
-        transaction.Execute("DELETE FROM sign_in_failure WHERE name_hash = @Hash", new { Hash = UserName.Hash(name) });
+        transaction.Execute("DELETE FROM sign_in_failure WHERE name_hash = @Hash", [("Hash", UserName.Hash(name))]);
 
     /// <summary>Removes unknown names, and counts those of the last hour.</summary>
     public static long ForgetStrangers(StoreTransaction transaction)
     {
         transaction.Execute(
             "DELETE FROM sign_in_failure WHERE is_user = 0 AND failed_at < @Before",
-            new { Before = StoredTime.Of(transaction.Now - Memory) });
+            [("Before", StoredTime.Of(transaction.Now - Memory))]);
         transaction.Execute(
             "DELETE FROM sign_in_failure WHERE is_user = 0 AND name_hash NOT IN (SELECT name_hash FROM sign_in_failure WHERE is_user = 0 "
                 + "ORDER BY failed_at DESC, name_hash LIMIT @Most)",
-            new { Most = MostStrangers });
+            [("Most", MostStrangers)]);
         return transaction.Value<long>(
             "SELECT count(*) FROM sign_in_failure WHERE is_user = 0 AND failed_at > @After",
-            new { After = StoredTime.Of(transaction.Now - TimeSpan.FromHours(1)) });
+            [("After", StoredTime.Of(transaction.Now - TimeSpan.FromHours(1)))]);
     }
 }

@@ -1,4 +1,3 @@
-using Dapper;
 
 namespace ErrorMatching.Cell;
 
@@ -17,12 +16,12 @@ internal sealed class EventCursor(CellStore store, string cell)
     /// <summary>Number of the last entry that needs not be published again; 0 for none.</summary>
     /// <exception cref="StoreException">The store cannot be used.</exception>
     public long Read() =>
-        store.Read("SELECT seq FROM event_cursor WHERE cell = @cell", r => r.GetInt64(0), new { cell }) is [var seq] ? seq : 0;
+        store.Read("SELECT seq FROM event_cursor WHERE cell = @cell", r => r.GetInt64(0), [("cell", cell)]) is [var seq] ? seq : 0;
 
     /// <summary>Records that nothing up to an entry needs to be published again.</summary>
     /// <exception cref="StoreException">The store cannot be used.</exception>
     public void Advance(long seq) => Change("UPDATE event_cursor SET seq = @seq WHERE cell = @cell AND seq < @seq", seq);
 
     private void Change(string sql, long seq) =>
-        store.Database.Change((connection, transaction) => connection.Execute(sql, new { cell, seq }, transaction));
+        store.Database.Change((connection, transaction) => connection.Execute(sql, [("cell", cell), ("seq", seq)], transaction));
 }

@@ -32,5 +32,5 @@ internal sealed class StepFeed(CellStore store, CellSettings settings)
     private CorrectionState? From(AuditEntry entry, long id) => store.Read(
         "SELECT from_state FROM step WHERE correction = @id AND at = @At AND to_state = @What ORDER BY id LIMIT 1",
         r => r.TextOrNull(0),
-        new { id, At = StoredTime.Of(entry.At), entry.What }) is [{ } word] ? CorrectionRow.StateOrNull(word) : null;
+        [("id", id), ("At", StoredTime.Of(entry.At)), ("What", entry.What)]) is [{ } word] ? CorrectionRow.StateOrNull(word) : null;
 }

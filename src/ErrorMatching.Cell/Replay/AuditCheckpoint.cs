@@ -1,5 +1,4 @@
 using System.Data.Common;
-using Dapper;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
@@ -34,7 +33,7 @@ internal sealed record AuditCheckpoint(long Seq, string Hash, string State)
     public void Keep(CellDatabase database, byte[] key) => database.Change((connection, transaction) => connection.Execute(
         "INSERT INTO audit_checkpoint (only_row, seq, hash, state, row_code) VALUES (1, @Seq, @Hash, @State, @Code) ON CONFLICT (only_row) "
             + "DO UPDATE SET seq = excluded.seq, hash = excluded.hash, state = excluded.state, row_code = excluded.row_code",
-        new { Seq, Hash, State, Code = Coded(this).Code(key) },
+        [("Seq", Seq), ("Hash", Hash), ("State", State), ("Code", Coded(this).Code(key))],
         transaction));
 
     /// <summary>Removes the checkpoint of a store, so that the next process reads the whole trail.</summary>
@@ -58,7 +57,7 @@ internal sealed record AuditCheckpoint(long Seq, string Hash, string State)
     {
         if (!row.Holds(key)) return RecordedCheckpoint.Foreign.With(row.Value.Seq);
         var at = Rows.First(
-            connection, AuditRow.Select + " WHERE seq = @Seq", AuditRow.ReadOrUnreadable, new { row.Value.Seq }, transaction);
+            connection, AuditRow.Select + " WHERE seq = @Seq", AuditRow.ReadOrUnreadable, [("Seq", row.Value.Seq)], transaction);
         return at is not null && at.Hash == row.Value.Hash && at.IsWrittenAs(at.Seq) ? null : RecordedCheckpoint.Astray.With(row.Value.Seq);
     }
 

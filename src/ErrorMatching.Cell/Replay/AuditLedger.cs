@@ -85,7 +85,7 @@ internal sealed class AuditLedger(byte[]? key)
                 connection,
                 AuditRow.Select + " WHERE seq > @After AND seq <= @Last ORDER BY seq LIMIT @most",
                 AuditRow.ReadOrUnreadable,
-                new { After = _behind.Seq, Last = _from.Seq, most }));
+                [("After", _behind.Seq), ("Last", _from.Seq), ("most", most)]));
             foreach (var entry in entries)
             {
                 if (!Follows(entry, entry.IsWrittenAs(entry.Seq), _behind)) return BrokenBehind();
@@ -152,7 +152,7 @@ internal sealed class AuditLedger(byte[]? key)
     {
         var head = AuditRow.Head(connection, transaction, "");
         var entries = Cell.Rows.Stream(connection, AuditRow.Select + " WHERE seq > @_seq ORDER BY seq", AuditRow.ReadOrUnreadable,
-            new { _seq }, transaction).Select(AuditChain.Looked);
+            [("_seq", _seq)], transaction).Select(AuditChain.Looked);
         foreach (var (entry, isAsWritten) in head.Seq - _seq > PageLength ? ReadAhead.Of(entries) : entries)
         {
             if (!Follows(entry, isAsWritten, (_seq, _hash))) return StartOver();
@@ -191,7 +191,7 @@ internal sealed class AuditLedger(byte[]? key)
         var rows = new RecordedRows(connection, transaction, _replay, key);
         var found = Cell.Rows.Query(
             connection, CorrectionRow.SelectKept + " WHERE id = @Id", r =>
-                RecordedRows.Read(r, CorrectionRow.ReadKept, "correction"), new { correction.Id }, transaction);
+                RecordedRows.Read(r, CorrectionRow.ReadKept, "correction"), [("Id", correction.Id)], transaction);
         if (found is not [({ } row, _)]) return found is [(_, { } unreadable)] ? unreadable
             : RecordedRows.Unreadable("correction", CodedRow.Number(correction.Id));
         if (rows.OfCorrection(row) is { } fault) return fault;
@@ -202,7 +202,7 @@ internal sealed class AuditLedger(byte[]? key)
         var (machine, name) = (correction.Machine ?? "", correction.Slot ?? "");
         var slot = Cell.Rows.Query(
             connection, SlotRow.SelectKept + SlotRow.One, r =>
-                RecordedRows.Read(r, SlotRow.ReadKept, "slot"), new { Machine = machine, Slot = name }, transaction);
+                RecordedRows.Read(r, SlotRow.ReadKept, "slot"), [("Machine", machine), ("Slot", name)], transaction);
         return slot is [var (held, fault2)] ? fault2 ?? rows.OfSlot(held!) : rows.OfNoSlot(machine, name);
     }
 }

@@ -59,7 +59,7 @@ internal sealed class RecordedMeaning
 
     // A row that is as its last entry says cannot be as a later entry says, too: if one comes, the row is compared with that at the end.
     private RecordedCorrection? Recall(long id) => !_settled.Contains(id) ? null
-        : Rows.Query(_connection, CorrectionRow.Select + " WHERE id = @id", CorrectionRow.Read, new { id }, _transaction) is [var row]
+        : Rows.Query(_connection, CorrectionRow.Select + " WHERE id = @id", CorrectionRow.Read, [("id", id)], _transaction) is [var row]
         ? new(row.MeasurementSha256) { State = row.State, Program = row.ProgramSha256 }
         : null;
 
@@ -90,7 +90,7 @@ internal sealed class RecordedMeaning
                 r => (
                     r.GetInt64(0),
                     new StepText(r.GetInt64(1), r.TextOrNull(2), r.GetString(3), r.GetInt64(4), r.GetString(5), r.GetString(6))),
-                new { _lastStep, _steps.Count },
+                [("_lastStep", _lastStep), ("Count", _steps.Count)],
                 _transaction))
             {
                 (_lastStep, _stepRows) = (id, _stepRows + 1);
@@ -114,7 +114,7 @@ internal sealed class RecordedMeaning
             _connection,
             "SELECT id FROM step WHERE id > @_lastStep ORDER BY id LIMIT 1",
             r => r.GetInt64(0),
-            new { _lastStep },
+            [("_lastStep", _lastStep)],
             _transaction) is [_]
             ? new(AuditFaultKind.RowDiffers, 0, Recorded.StepUnrecorded.With(_stepRows + 1, _stepCount))
             : null;

@@ -135,7 +135,7 @@ internal sealed class RecordedRows(DbConnection connection, DbTransaction transa
                 connection,
                 CorrectionRow.SelectKept + " WHERE id BETWEEN @First AND @Last ORDER BY id",
                 r => Read(r, CorrectionRow.ReadKept, "correction"),
-                new { First = ids[from], Last = ids[to - 1] },
+                [("First", ids[from]), ("Last", ids[to - 1])],
                 transaction)) yield return row;
         }
     }

@@ -28,20 +28,19 @@ internal static class RowCoding
     {
         var rows = new RecordedRows(t, replay, key);
         var given = 0;
-        Each(CorrectionRow.SelectKept, CorrectionRow.ReadKept, rows.OfCorrection, "correction", "id = @Id", c => new { c.Id });
+        Each(CorrectionRow.SelectKept, CorrectionRow.ReadKept, rows.OfCorrection, "correction", "id = @Id", c => [("Id", c.Id)]);
         Each(SlotRow.SelectKept, SlotRow.ReadKept, rows.OfSlotAndHolder, "slot", "machine = @Machine AND slot = @Slot", s =>
-            new { s.Machine, s.Slot });
-        Each(Person.SelectKept, Person.ReadKept, rows.OfPerson, "person", "name_key = @Key", p => new { Key = UserName.Key(p.Name) });
+            [("Machine", s.Machine), ("Slot", s.Slot)]);
+        Each(Person.SelectKept, Person.ReadKept, rows.OfPerson, "person", "name_key = @Key", p => [("Key", UserName.Key(p.Name))]);
         Name();
 
         void Each<T>(string select, Func<DbDataReader, StoredRow<T>> read, Func<StoredRow<T>, AuditFault?> fault, string table, string one,
-            Func<T, object> which)
+            Func<T, SqlArguments> which)
         {
             foreach (var (row, _) in t.Query(select + " WHERE row_code IS NULL", r => RecordedRows.Read(r, read, table)))
             {
                 if (row is null || fault(row) is not null) continue;
-                var parameters = new Dapper.DynamicParameters(which(row.Value));
-                parameters.Add("GivenCode", t.CodeOf(row.Coded));
+                SqlArguments parameters = [.. which(row.Value), ("GivenCode", t.CodeOf(row.Coded))];
                 t.Execute($"UPDATE {table} SET row_code = @GivenCode WHERE {one}", parameters);
                 if (++given == Most) Name();
             }

@@ -1,5 +1,7 @@
+using System.Diagnostics.CodeAnalysis;
 using System.Globalization;
 using System.Text.Json;
+using System.Text.Json.Serialization;
 using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell;
@@ -34,7 +36,7 @@ public sealed record Heartbeat(int ProcessId, DateTimeOffset Since, DateTimeOffs
         {
             // A cell on a full disk overwrites it.
             using var file = SharedFile.OpenRead(Path.Combine(folder, FileName), FileShare.ReadWrite | FileShare.Delete);
-            return JsonSerializer.Deserialize<Heartbeat>(file)
+            return JsonSerializer.Deserialize(file, HeartbeatJson.Default.Heartbeat)
                 is { Troubles: not null, Machines: not null, Waiting: not null, Backlog: not null } sign
                 ? sign
                 : null;
@@ -52,7 +54,7 @@ public sealed record Heartbeat(int ProcessId, DateTimeOffset Since, DateTimeOffs
         Directory.CreateDirectory(folder);
         var file = Path.Combine(folder, FileName);
         var written = string.Create(CultureInfo.InvariantCulture, $"{file}.{ProcessId}");
-        var sign = JsonSerializer.SerializeToUtf8Bytes(this);
+        var sign = JsonSerializer.SerializeToUtf8Bytes(this, HeartbeatJson.Default.Heartbeat);
 
         // Trailing spaces reserve room for later troubles.
         byte[] bytes = [.. sign, .. Enumerable.Repeat((byte)' ', Math.Max(0, Room - sign.Length))];
@@ -79,3 +81,8 @@ public sealed record Heartbeat(int ProcessId, DateTimeOffset Since, DateTimeOffs
     /// since.</summary>
     public bool IsFresh(DateTimeOffset now) => (now - At).Duration() < Fresh;
 }
+
+/// <summary>How a heartbeat is written, made while the program is compiled.</summary>
+[JsonSerializable(typeof(Heartbeat))]
+[SuppressMessage("ApiDesign", "RS0030", Justification = "The generated code names a type without a culture.")]
+internal sealed partial class HeartbeatJson : JsonSerializerContext;

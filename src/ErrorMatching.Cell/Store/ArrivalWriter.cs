@@ -51,36 +51,35 @@ internal static class ArrivalWriter
         StoreTransaction transaction, Correction arriving, string key, string by = AuditEntry.ByCell, Statement? basis = null)
     {
         var arrived = CorrectionRow.Stored(arriving);
-        var id = transaction.Value<long>(CorrectionRow.Insert, new
-        {
-            State = CorrectionRow.Word(arrived.State),
-            Arrival = KeyOf(key),
-            arrived.Gauge,
-            arrived.FileName,
-            At = StoredTime.Of(transaction.Now),
-            arrived.MeasurementSha256,
-            arrived.MeasurementBytes,
-            arrived.Code,
-            Reason = arrived.Reason?.Text,
-            arrived.Trace,
-            arrived.Job,
-            arrived.Piece,
-            arrived.Serial,
-            arrived.WorkOrder,
-            arrived.Machine,
-            arrived.Slot,
-            arrived.Program,
-            arrived.MeasuredAs,
-        });
+        var id = transaction.Value<long>(CorrectionRow.Insert, [
+            ("State", CorrectionRow.Word(arrived.State)),
+            ("Arrival", KeyOf(key)),
+            ("Gauge", arrived.Gauge),
+            ("FileName", arrived.FileName),
+            ("At", StoredTime.Of(transaction.Now)),
+            ("MeasurementSha256", arrived.MeasurementSha256),
+            ("MeasurementBytes", arrived.MeasurementBytes),
+            ("Code", arrived.Code),
+            ("Reason", arrived.Reason?.Text),
+            ("Trace", arrived.Trace),
+            ("Job", arrived.Job),
+            ("Piece", arrived.Piece),
+            ("Serial", arrived.Serial),
+            ("WorkOrder", arrived.WorkOrder),
+            ("Machine", arrived.Machine),
+            ("Slot", arrived.Slot),
+            ("Program", arrived.Program),
+            ("MeasuredAs", arrived.MeasuredAs),
+        ]);
         arrived = arrived with { Id = id };
         if (transaction.CodeOf(CorrectionRow.Coded(arrived)) is { } code) transaction.Execute(
-            "UPDATE correction SET row_code = @code WHERE id = @id", new { code, id });
+            "UPDATE correction SET row_code = @code WHERE id = @id", [("code", code), ("id", id)]);
         StepWriter.Note(transaction, arrived, null, by, basis ?? arrived.Reason ?? Recorded.Arrived.With(arrived.Gauge, arrived.FileName));
         return arrived;
     }
 
     private static Correction? Known(StoreTransaction transaction, string key) =>
-        transaction.First(CorrectionRow.Select + " WHERE arrival = @Arrival", CorrectionRow.Read, new { Arrival = KeyOf(key) });
+        transaction.First(CorrectionRow.Select + " WHERE arrival = @Arrival", CorrectionRow.Read, [("Arrival", KeyOf(key))]);
 
     private static string KeyOf(string key) => StoredContent.Sha256(System.Text.Encoding.UTF8.GetBytes(key));
 }

@@ -266,7 +266,7 @@ public sealed class CellStore : IDisposable
 
     /// <summary>What a slot holds.</summary>
     public SlotHolding Slot(string machine, string slot) =>
-        First(SlotRow.Select, SlotRow.Read, new { Machine = machine, Slot = slot }) ?? new SlotHolding(machine, slot, null, null, null);
+        First(SlotRow.Select, SlotRow.Read, [("Machine", machine), ("Slot", slot)]) ?? new SlotHolding(machine, slot, null, null, null);
 
     /// <summary>Frees a slot of the correction that has it, as after a revert. A slot that is free or that another correction has stays as
     /// it is.</summary>
@@ -309,7 +309,7 @@ public sealed class CellStore : IDisposable
     /// <param name="after">Returns entries after this number; 0 for the first.</param>
     /// <param name="most">Maximum number of entries.</param>
     public IReadOnlyList<AuditEntry> AuditEntries(long after, int most) =>
-        Read(AuditRow.Select + " WHERE seq > @after ORDER BY seq LIMIT @most", AuditRow.Read, new { after, most });
+        Read(AuditRow.Select + " WHERE seq > @after ORDER BY seq LIMIT @most", AuditRow.Read, [("after", after), ("most", most)]);
 
     /// <summary>The end of the audit trail.</summary>
     public AuditHead AuditHead()
@@ -415,11 +415,11 @@ public sealed class CellStore : IDisposable
     internal T Write<T>(Func<StoreTransaction, T> write) => Database.Write(_clock, _auditKey, write);
 
     /// <summary>The rows of one statement, for tables of other parts of the cell.</summary>
-    internal IReadOnlyList<T> Read<T>(string sql, Func<DbDataReader, T> row, object? parameters = null) =>
+    internal IReadOnlyList<T> Read<T>(string sql, Func<DbDataReader, T> row, SqlArguments? parameters = null) =>
         Database.Read(connection => Rows.Query(connection, sql, row, parameters));
 
     /// <summary>The first row of one statement, for tables of other parts of the cell; null if there is none.</summary>
-    internal T? First<T>(string sql, Func<DbDataReader, T> row, object? parameters = null)
+    internal T? First<T>(string sql, Func<DbDataReader, T> row, SqlArguments? parameters = null)
         where T : class => Database.Read(connection => Rows.First(connection, sql, row, parameters));
 
     /// <inheritdoc/>

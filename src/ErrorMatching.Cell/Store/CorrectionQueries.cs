@@ -1,6 +1,5 @@
 using System.Data.Common;
 using System.Globalization;
-using Dapper;
 
 namespace ErrorMatching.Cell;
 
@@ -9,7 +8,7 @@ namespace ErrorMatching.Cell;
 internal sealed class CorrectionQueries(CellDatabase database)
 {
     /// <inheritdoc cref="CellStore.Find"/>
-    public Correction? Find(long id) => First(CorrectionRow.Select + " WHERE id = @id", CorrectionRow.Read, new { id });
+    public Correction? Find(long id) => First(CorrectionRow.Select + " WHERE id = @id", CorrectionRow.Read, [("id", id)]);
 
     /// <inheritdoc cref="CellStore.InState"/>
     public IReadOnlyList<Correction> InState(params CorrectionState[] states) => states is []
@@ -21,7 +20,7 @@ internal sealed class CorrectionQueries(CellDatabase database)
         Read(
             "SELECT correction, from_state, to_state, at, who, basis FROM step WHERE correction = @id ORDER BY step.id",
             CorrectionRow.ReadStep,
-            new { id });
+            [("id", id)]);
 
     // A failed one with a program is in line, too.
     private static readonly CorrectionState[] InLine =
@@ -36,7 +35,7 @@ internal sealed class CorrectionQueries(CellDatabase database)
             + CorrectionRow.IsIn("state", InLine)
             + " OR (state = @Failed AND program_sha256 IS NOT NULL)) ORDER BY COALESCE(measured_as, id), id",
         CorrectionRow.Read,
-        new { machine, slot, Failed = CorrectionRow.Word(CorrectionState.Failed) });
+        [("machine", machine), ("slot", slot), ("Failed", CorrectionRow.Word(CorrectionState.Failed))]);
 
     /// <inheritdoc cref="CellStore.FirstInLine"/>
     public Correction? FirstInLine(string machine, string slot)
@@ -53,7 +52,7 @@ internal sealed class CorrectionQueries(CellDatabase database)
                 $"SELECT min(id) AS turn FROM correction WHERE {Here}{s}",
                 $"SELECT min(measured_as) AS turn FROM correction WHERE {Here}{s} AND measured_as IS NOT NULL",
             }));
-        if (Read($"SELECT min(turn) FROM ({least}) AS least", r => r.IsDBNull(0) ? (long?)null : r.GetInt64(0), new { machine, slot })
+        if (Read($"SELECT min(turn) FROM ({least}) AS least", r => r.IsDBNull(0) ? (long?)null : r.GetInt64(0), [("machine", machine), ("slot", slot)])
             is not [{ } turn])
         {
             return null;
@@ -63,11 +62,11 @@ internal sealed class CorrectionQueries(CellDatabase database)
         return First(
                 CorrectionRow.Select + $" WHERE id = @turn AND measured_as IS NULL AND {any}",
                 CorrectionRow.Read,
-                new { machine, slot, turn })
+                [("machine", machine), ("slot", slot), ("turn", turn)])
             ?? First(
                 CorrectionRow.Select + $" WHERE measured_as = @turn AND {any} ORDER BY id LIMIT 1",
                 CorrectionRow.Read,
-                new { machine, slot, turn })
+                [("machine", machine), ("slot", slot), ("turn", turn)])
 
             // It took a step between the two looks.
             ?? (Line(machine, slot) is [var first, ..] ? first : null);
@@ -77,7 +76,7 @@ internal sealed class CorrectionQueries(CellDatabase database)
     public IReadOnlyList<Correction> First(
         CorrectionState state, int most, IReadOnlyList<string>? gauges = null, IReadOnlyList<string>? jobs = null)
     {
-        var parameters = new DynamicParameters(new { State = CorrectionRow.Word(state), most });
+        List<(string, SqlArgument)> parameters = [("State", CorrectionRow.Word(state)), ("most", most)];
         var where = " WHERE state = @State" + IsOneOf("gauge", gauges, parameters) + IsOneOf("job", jobs, parameters);
         return Read(CorrectionRow.Select + where + " ORDER BY id LIMIT @most", CorrectionRow.Read, parameters);
     }
@@ -85,7 +84,7 @@ internal sealed class CorrectionQueries(CellDatabase database)
     /// <inheritdoc cref="CellStore.Reported"/>
     public IReadOnlyList<Correction> Reported(IReadOnlyList<string> jobs, int most)
     {
-        var parameters = new DynamicParameters(new { most });
+        List<(string, SqlArgument)> parameters = [("most", most)];
         var where = " WHERE report_sha256 IS NOT NULL" + IsOneOf("job", jobs, parameters);
         return Read(CorrectionRow.Select + where + " ORDER BY id DESC LIMIT @most", CorrectionRow.Read, parameters);
     }
@@ -93,7 +92,7 @@ internal sealed class CorrectionQueries(CellDatabase database)
     /// <inheritdoc cref="CellStore.CountReported"/>
     public long CountReported(IReadOnlyList<string> jobs)
     {
-        var parameters = new DynamicParameters();
+        List<(string, SqlArgument)> parameters = [];
         var where = " WHERE report_sha256 IS NOT NULL" + IsOneOf("job", jobs, parameters);
         return Read("SELECT count(*) FROM correction" + where, r => r.GetInt64(0), parameters)[0];
     }
@@ -118,7 +117,7 @@ internal sealed class CorrectionQueries(CellDatabase database)
             ? $"step CROSS JOIN correction WHERE {verified} AND correction.id = step.correction AND {sent}"
             : $"correction JOIN step ON step.correction = correction.id AND {verified} WHERE {sent} AND correction.serial = @serial";
         var found = Read(
-            $"SELECT {columns} FROM {from} ORDER BY step.id DESC LIMIT 1", CorrectionRow.Read, new { job, serial });
+            $"SELECT {columns} FROM {from} ORDER BY step.id DESC LIMIT 1", CorrectionRow.Read, [("job", job), ("serial", serial)]);
         return found is [var last] ? last : null;
     }
 
@@ -137,17 +136,17 @@ internal sealed class CorrectionQueries(CellDatabase database)
             + (known.Length == 0 ? "" : $" AND ({known})")
             + " ORDER BY COALESCE(measured_as, id) DESC, id DESC LIMIT 1",
             CorrectionRow.Read,
-            new { job, serial, workOrder });
+            [("job", job), ("serial", serial), ("workOrder", workOrder)]);
         return found is [var last] ? last : null;
     }
 
     /// <inheritdoc cref="CellStore.OfMeasurement"/>
     public IReadOnlyList<Correction> OfMeasurement(string sha256) =>
-        Read(CorrectionRow.Select + " WHERE measurement_sha256 = @sha256 ORDER BY id", CorrectionRow.Read, new { sha256 });
+        Read(CorrectionRow.Select + " WHERE measurement_sha256 = @sha256 ORDER BY id", CorrectionRow.Read, [("sha256", sha256)]);
 
     /// <inheritdoc cref="CellStore.OfProgram"/>
     public IReadOnlyList<Correction> OfProgram(string job, string sha256) =>
-        Read(CorrectionRow.Select + " WHERE program_sha256 = @sha256 AND job = @job ORDER BY id", CorrectionRow.Read, new { sha256, job });
+        Read(CorrectionRow.Select + " WHERE program_sha256 = @sha256 AND job = @job ORDER BY id", CorrectionRow.Read, [("sha256", sha256), ("job", job)]);
 
     /// <inheritdoc cref="CellStore.Waiting"/>
     public IReadOnlyList<WaitingCorrections> Waiting() => Read(
@@ -171,7 +170,7 @@ internal sealed class CorrectionQueries(CellDatabase database)
             r.GetInt64(6)));
 
     // One parameter each: the two engines take a list as a single parameter in different ways.
-    private static string IsOneOf(string column, IReadOnlyList<string>? names, DynamicParameters parameters)
+    private static string IsOneOf(string column, IReadOnlyList<string>? names, List<(string, SqlArgument)> parameters)
     {
         if (names is null)
         {
@@ -181,15 +180,15 @@ internal sealed class CorrectionQueries(CellDatabase database)
         var marks = names.Select((_, i) => string.Create(CultureInfo.InvariantCulture, $"@{column}{i}")).ToArray();
         for (var i = 0; i < marks.Length; i++)
         {
-            parameters.Add(marks[i], names[i]);
+            parameters.Add((marks[i], names[i]));
         }
 
         return marks.Length == 0 ? " AND 1 = 0" : $" AND {column} IN ({string.Join(", ", marks)})";
     }
-    private IReadOnlyList<T> Read<T>(string sql, Func<DbDataReader, T> row, object? parameters = null) =>
+    private IReadOnlyList<T> Read<T>(string sql, Func<DbDataReader, T> row, SqlArguments? parameters = null) =>
         database.Read(connection => Rows.Query(connection, sql, row, parameters));
 
-    private Correction? First(string sql, Func<DbDataReader, Correction> row, object? parameters) =>
+    private Correction? First(string sql, Func<DbDataReader, Correction> row, SqlArguments? parameters) =>
         database.Read(connection => Rows.First(connection, sql, row, parameters));
 }
 

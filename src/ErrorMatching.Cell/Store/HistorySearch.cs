@@ -18,23 +18,22 @@ internal static class HistorySearch
         if (Period(database, query) is not var (first, last)) return ([], 0);
         var but = query with { User = null, From = null, To = null, Most = 0, IsLoose = false };
         var isByUser = query.User is not null && but == new HistoryQuery { Most = 0 };
-        var parameters = new
-        {
-            Recent,
-            Serial = Looked(query.Serial),
-            WorkOrder = Looked(query.WorkOrder),
-            From = From(query),
-            To = To(query),
-            First = first,
-            Last = last,
-            Program = Looked(query.Program),
-            Hash = Hash(query.Program),
-            HashEnd = Hash(query.Program)?.PadRight(64, 'f'),
-            User = Looked(query.User),
-            State = query.State is { } state ? CorrectionRow.Word(state) : null,
-            Machine = StoredText.NameOrNull(query.Machine),
-            query.Most,
-        };
+        SqlArguments parameters = [
+            ("Recent", Recent),
+            ("Serial", Looked(query.Serial)),
+            ("WorkOrder", Looked(query.WorkOrder)),
+            ("From", From(query)),
+            ("To", To(query)),
+            ("First", first),
+            ("Last", last),
+            ("Program", Looked(query.Program)),
+            ("Hash", Hash(query.Program)),
+            ("HashEnd", Hash(query.Program)?.PadRight(64, 'f')),
+            ("User", Looked(query.User)),
+            ("State", query.State is { } state ? CorrectionRow.Word(state) : null),
+            ("Machine", StoredText.NameOrNull(query.Machine)),
+            ("Most", query.Most),
+        ];
 
         var took = query.User is null ? "1 = 1" : $"EXISTS (SELECT 1 FROM step WHERE step.correction = correction.id AND {User()})";
 
@@ -129,7 +128,7 @@ internal static class HistorySearch
             query.From is null && query.To is null ? "SELECT 0, max(id) FROM correction"
                 : "SELECT min(id), max(id) FROM correction WHERE arrived_at >= @From AND arrived_at < @To",
             r => r.IsDBNull(1) ? ((long, long)?)null : (r.GetInt64(0), r.GetInt64(1)),
-            new { From = From(query), To = To(query) })[0]);
+            [("From", From(query)), ("To", To(query))])[0]);
 
     private static long From(HistoryQuery query) => query.From is { } from ? StoredTime.Of(from) : long.MinValue;
 

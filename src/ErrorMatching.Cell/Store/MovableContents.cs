@@ -64,7 +64,7 @@ internal static class MovableContents
                 connection,
                 Sql,
                 r => MovableContent.Of(r.GetString(0), r.GetInt64(1)),
-                new { Before = StoredTime.Of(policy.Before), policy.KeepLast },
+                [("Before", StoredTime.Of(policy.Before)), ("KeepLast", policy.KeepLast)],
                 transaction),
             Rows.Query(connection, "SELECT COALESCE(max(id), 0) FROM step", r => r.GetInt64(0), null, transaction)[0]));
 
@@ -73,7 +73,7 @@ internal static class MovableContents
     {
         var since = Named.Select(
             c => $"SELECT {c} FROM correction WHERE {c} IS NOT NULL AND id IN (SELECT correction FROM step WHERE id > @lastStep)");
-        return transaction.Query(string.Join(" UNION ", since.Append(Slots)), r => r.GetString(0), new { lastStep })
+        return transaction.Query(string.Join(" UNION ", since.Append(Slots)), r => r.GetString(0), [("lastStep", lastStep)])
             .ToHashSet(StringComparer.Ordinal);
     }
 }

@@ -13,7 +13,7 @@ internal static class Resubmission
     {
         // Before anything is written, so that the later of two callers sees the result of the first.
         if (!CorrectionSteps.Allows(correction.State, CorrectionState.Superseded)
-            || transaction.Value<long>("SELECT version FROM correction WHERE id = @Id", new { correction.Id }) != correction.Version)
+            || transaction.Value<long>("SELECT version FROM correction WHERE id = @Id", [("Id", correction.Id)]) != correction.Version)
         {
             throw StepWriter.Conflict(transaction, correction, CorrectionState.Superseded);
         }

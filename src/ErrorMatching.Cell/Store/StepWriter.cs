@@ -31,7 +31,7 @@ internal static class StepWriter
         };
         if (after.Identity is { } identity && identity != from.Identity
             && transaction.Value<long?>(
-                "SELECT id FROM correction WHERE identity = @identity AND id <> @Id", new { identity, after.Id }) is { } existing)
+                "SELECT id FROM correction WHERE identity = @identity AND id <> @Id", [("identity", identity), ("Id", after.Id)]) is { } existing)
         {
             throw new DuplicateCorrectionException(existing);
         }
@@ -73,15 +73,14 @@ internal static class StepWriter
     {
         transaction.Execute(
             "INSERT INTO step (correction, from_state, to_state, at, who, basis) VALUES (@Id, @From, @To, @At, @By, @Basis)",
-            new
-            {
-                after.Id,
-                From = from is { } f ? CorrectionRow.Word(f) : null,
-                To = CorrectionRow.Word(after.State),
-                At = StoredTime.Of(transaction.Now),
-                By = StoredText.Name(by),
-                Basis = StoredText.Of(basis).Text,
-            });
+            [
+                ("Id", after.Id),
+                ("From", from is { } f ? CorrectionRow.Word(f) : null),
+                ("To", CorrectionRow.Word(after.State)),
+                ("At", StoredTime.Of(transaction.Now)),
+                ("By", StoredText.Name(by)),
+                ("Basis", StoredText.Of(basis).Text),
+            ]);
         var subject = from is null
             ? Recorded.File.With(after.Id, after.MeasurementSha256)
             : after.ProgramSha256 is { } program
@@ -93,7 +92,7 @@ internal static class StepWriter
     /// <summary>The error if a correction is not, or no longer, as it was read.</summary>
     public static StoreException Conflict(StoreTransaction transaction, Correction from, CorrectionState to)
     {
-        var now = transaction.First(CorrectionRow.Select + " WHERE id = @Id", CorrectionRow.Read, new { from.Id });
+        var now = transaction.First(CorrectionRow.Select + " WHERE id = @Id", CorrectionRow.Read, [("Id", from.Id)]);
         return now is null
             ? new StoreException(StoreError.Missing, string.Create(CultureInfo.InvariantCulture, $"There is no correction {from.Id}."))
             : new StoreException(
@@ -109,7 +108,7 @@ internal static class StepWriter
     private static void DemandKept(StoreTransaction transaction, Correction from, Correction after)
     {
         if (transaction.Key is not { } key || transaction.First(CorrectionRow.SelectKept + " WHERE id = @Id", CorrectionRow.ReadKept,
-            new { from.Id }) is not { } row
+            [("Id", from.Id)]) is not { } row
             || row.Value.Version != from.Version || row.Value.State != from.State)
         {
             // A missing or changed row is a conflict, which the update itself detects.

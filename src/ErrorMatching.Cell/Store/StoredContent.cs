@@ -34,7 +34,15 @@ internal static class StoredContent
     /// <summary>Stores a content unless it is already stored. One that was moved to an archive returns to the store.</summary>
     public static void Keep(StoreTransaction transaction, string sha256, PackedContent content)
     {
-        var parameters = new { sha256, content.Bytes, content.Form, content.Length, content.Source, content.MadeBy, Archive };
+        SqlArguments parameters = [
+            ("sha256", sha256),
+            ("Bytes", content.Bytes),
+            ("Form", content.Form),
+            ("Length", content.Length),
+            ("Source", content.Source),
+            ("MadeBy", content.MadeBy),
+            ("Archive", Archive),
+        ];
 
         // Two statements: a database asks for the right to update as soon as a statement might, and a station may only insert.
         if (transaction.Execute(
@@ -53,7 +61,7 @@ internal static class StoredContent
     public static bool Has(CellDatabase database, string sha256)
     {
         var form = database.Read(connection => Rows.First(
-            connection, "SELECT COALESCE(form, '') FROM content WHERE sha256 = @sha256", r => r.GetString(0), new { sha256 }));
+            connection, "SELECT COALESCE(form, '') FROM content WHERE sha256 = @sha256", r => r.GetString(0), [("sha256", sha256)]));
         if (form != PackedContent.Archive) return form is not null;
         try
         {
@@ -75,7 +83,7 @@ internal static class StoredContent
     }
 
     private static PackedContent Row(CellDatabase database, string sha256) =>
-        database.Read(connection => Rows.First(connection, Select + " WHERE sha256 = @sha256", ContentRow.Read, new { sha256 }))
+        database.Read(connection => Rows.First(connection, Select + " WHERE sha256 = @sha256", ContentRow.Read, [("sha256", sha256)]))
             ?? throw new StoreException(StoreError.Missing, $"{database.Place} has no content {sha256}.");
 
     private static byte[] Plain(CellDatabase database, string sha256, PackedContent packed)

@@ -135,7 +135,7 @@ internal sealed class Thinning(CellDatabase database, TimeProvider clock, byte[]
                 count += transaction.Execute(
                     "UPDATE content SET length = COALESCE(length, length(bytes)), bytes = @empty, form = 'archive', source = @name, "
                         + $"made_by = NULL WHERE (form IS NULL OR form = 'brotli') AND {IsOneOf(some.Select(c => c.Sha256))}",
-                    new { name, empty = Array.Empty<byte>() });
+                    [("name", name), ("empty", Array.Empty<byte>())]);
                 length += some.Sum(c => c.Content.Bytes.LongLength);
                 at("changing");
             }

@@ -1,5 +1,7 @@
+using System.Diagnostics.CodeAnalysis;
 using System.Globalization;
 using System.Text.Json;
+using System.Text.Json.Serialization;
 using System.Text.RegularExpressions;
 
 namespace ErrorMatching.Hmi;
@@ -69,7 +71,7 @@ public sealed partial class Texts : Observable
     private static Dictionary<string, string> Read(Language language)
     {
         using var stream = typeof(Texts).Assembly.GetManifestResourceStream("texts." + (language == Language.English ? "en" : "zh-Hant"))!;
-        return JsonSerializer.Deserialize<Dictionary<string, string>>(stream)!.ToDictionary(t => t.Key, t => Unparted(t.Value));
+        return JsonSerializer.Deserialize(stream, TextsJson.Default.DictionaryStringString)!.ToDictionary(t => t.Key, t => Unparted(t.Value));
     }
 
     // Keeps a number and its unit on one line.
@@ -78,3 +80,8 @@ public sealed partial class Texts : Observable
     [GeneratedRegex(@"(?<=[\d}]) (?=(mm|µm)\b)", RegexOptions.ExplicitCapture, Timeout.Infinite)]
     private static partial Regex BeforeUnit();
 }
+
+/// <summary>How the texts are read, made while the program is compiled.</summary>
+[JsonSerializable(typeof(Dictionary<string, string>))]
+[SuppressMessage("ApiDesign", "RS0030", Justification = "The generated code names a type without a culture.")]
+internal sealed partial class TextsJson : JsonSerializerContext;

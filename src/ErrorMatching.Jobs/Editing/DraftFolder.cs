@@ -22,7 +22,7 @@ public sealed class DraftFolder(string folder)
             OutputFile.Write(ProgramFile(kept.Job, program.Sha256), program.Bytes, [], CancellationToken.None);
         }
 
-        OutputFile.Write(DraftFile(kept.Job), JsonSerializer.SerializeToUtf8Bytes(kept, DraftJson.Options), [], CancellationToken.None);
+        OutputFile.Write(DraftFile(kept.Job), JsonSerializer.SerializeToUtf8Bytes(kept, DraftJson.Default.StoredDraft), [], CancellationToken.None);
     }
 
     /// <summary>Reads the unsaved changes of a job; null if there are none.</summary>
@@ -39,7 +39,7 @@ public sealed class DraftFolder(string folder)
         {
             try
             {
-                var kept = JsonSerializer.Deserialize<StoredDraft>(InputFile.Bytes(file, MostBytes), DraftJson.Options) is { } k
+                var kept = JsonSerializer.Deserialize(InputFile.Bytes(file, MostBytes), DraftJson.Default.StoredDraft) is { } k
                     && k.Job == job
                     && k.Draft.IsWhole
                     ? k

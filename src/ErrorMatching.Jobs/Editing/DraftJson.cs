@@ -1,20 +1,19 @@
+using System.Diagnostics.CodeAnalysis;
 using System.Text.Json;
 using System.Text.Json.Serialization;
 using ErrorMatching.Mating;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>The format of stored drafts.</summary>
-internal static class DraftJson
+/// <summary>The format of stored drafts, made while the program is compiled: kinds are words, and required values must not be
+/// null.</summary>
+[JsonSourceGenerationOptions(
+    UseStringEnumConverter = true, RespectNullableAnnotations = true, Converters = [typeof(DraftJson.KindConverter)])]
+[JsonSerializable(typeof(StoredDraft))]
+[SuppressMessage("ApiDesign", "RS0030", Justification = "The generated code names a type without a culture.")]
+internal sealed partial class DraftJson : JsonSerializerContext
 {
-    /// <summary>Writes kinds as words; required values must not be null.</summary>
-    public static JsonSerializerOptions Options { get; } = new()
-    {
-        Converters = { new JsonStringEnumConverter(), new KindConverter() },
-        RespectNullableAnnotations = true
-    };
-
-    private sealed class KindConverter : JsonConverter<FeatureKind>
+    internal sealed class KindConverter : JsonConverter<FeatureKind>
     {
         public override FeatureKind Read(ref Utf8JsonReader reader, Type typeToConvert, JsonSerializerOptions options) =>
             reader.TokenType == JsonTokenType.String && FeatureKinds.Find(reader.GetString()!) is { } kind

@@ -251,5 +251,5 @@ internal sealed class DraftWriter(MatingDraft draft)
         _ => value.ToJsonString(Plain),
     };
 
-    private static string Text(string text) => JsonValue.Create(text).ToJsonString(Plain);
+    private static string Text(string text) => JsonEdit.Text(text);
 }

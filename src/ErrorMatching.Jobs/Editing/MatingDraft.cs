@@ -86,7 +86,7 @@ public sealed record MatingDraft
         && !OtherPoints.Contains(null!) && !Chain.Contains(null!) && !Comparisons.Contains(null!) && !Gauge.Contributions.Contains(null!);
 
     /// <summary>The draft as JSON, without the bytes of an imported program.</summary>
-    public byte[] ToJson() => JsonSerializer.SerializeToUtf8Bytes(this, DraftJson.Options);
+    public byte[] ToJson() => JsonSerializer.SerializeToUtf8Bytes(this, DraftJson.Default.MatingDraft);
 
     /// <summary>True if another draft has the same text in every field, and the same program.</summary>
     public bool IsSame(MatingDraft other)

@@ -9,8 +9,6 @@ namespace ErrorMatching.Jobs;
 /// <param name="With">The replacement.</param>
 internal sealed record JsonEdit(Range At, string With)
 {
-    private static readonly JsonSerializerOptions Plain = new() { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
-
     /// <summary>Applies edits that do not overlap.</summary>
     public static byte[] Apply(ReadOnlySpan<byte> document, IEnumerable<JsonEdit> edits)
     {
@@ -28,7 +26,7 @@ internal sealed record JsonEdit(Range At, string With)
     }
 
     /// <summary>A text as JSON.</summary>
-    public static string Text(string text) => JsonSerializer.Serialize(text, Plain);
+    public static string Text(string text) => $"\"{JsonEncodedText.Encode(text, JavaScriptEncoder.UnsafeRelaxedJsonEscaping)}\"";
 
     /// <summary>A list of texts as JSON.</summary>
     public static string List(IEnumerable<string> texts) => "[" + string.Join(", ", texts.Select(Text)) + "]";
