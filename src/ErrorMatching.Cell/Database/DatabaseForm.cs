@@ -79,7 +79,8 @@ internal static class DatabaseForm
         var file = OfFile(made, null);
         var tables = file.Keys.Where(k => k.Kind == "table" && !k.Name.StartsWith("sqlite_", StringComparison.Ordinal)).ToArray();
         var columns = tables.SelectMany(t =>
-            Rows.Query(made, "SELECT name FROM pragma_table_info(@Name)", r => ("column", $"{t.Name}.{r.GetString(0)}"), [("Name", t.Name)]));
+            Rows.Query(
+                made, "SELECT name FROM pragma_table_info(@Name)", r => ("column", $"{t.Name}.{r.GetString(0)}"), [("Name", t.Name)]));
         var indexes = file.Where(f => f.Key.Kind == "index" && f.Value.Length > 0).Select(f => f.Key);
         var triggers = Migrations.Arguments("append_only").SelectMany(table => new[]
         {

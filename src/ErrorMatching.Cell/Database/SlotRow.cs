@@ -107,7 +107,15 @@ internal static class SlotRow
         }
 
         Demand(transaction, to.Machine, to.Slot);
-        if (transaction.Execute(sql, [("Machine", to.Machine), ("Slot", to.Slot), ("Id", to.Id), ("ProgramSha256", to.ProgramSha256), ("PreviousSha256", to.PreviousSha256), ("UndoSha256", to.UndoSha256)]) == 1)
+        SqlArguments holding = [
+            ("Machine", to.Machine),
+            ("Slot", to.Slot),
+            ("Id", to.Id),
+            ("ProgramSha256", to.ProgramSha256),
+            ("PreviousSha256", to.PreviousSha256),
+            ("UndoSha256", to.UndoSha256),
+        ];
+        if (transaction.Execute(sql, holding) == 1)
         {
             Code(transaction, to.Machine, to.Slot);
             return;

@@ -23,7 +23,9 @@ internal sealed class JobVersions(CellSettings settings, CellStore store)
         [
             .. store
                 .Read(
-                    AuditRow.Select + " WHERE what = @word OR what = @Found ORDER BY seq DESC", AuditRow.Read, [("word", word), ("Found", JobEdits.Found)])
+                    AuditRow.Select + " WHERE what = @word OR what = @Found ORDER BY seq DESC",
+                    AuditRow.Read,
+                    [("word", word), ("Found", JobEdits.Found)])
                 .Where(e => e.Subject is { Words: { } subject } && names.Contains(subject))
                 .Select(Version)
                 .OfType<JobVersion>()

@@ -52,8 +52,11 @@ internal sealed class CorrectionQueries(CellDatabase database)
                 $"SELECT min(id) AS turn FROM correction WHERE {Here}{s}",
                 $"SELECT min(measured_as) AS turn FROM correction WHERE {Here}{s} AND measured_as IS NOT NULL",
             }));
-        if (Read($"SELECT min(turn) FROM ({least}) AS least", r => r.IsDBNull(0) ? (long?)null : r.GetInt64(0), [("machine", machine), ("slot", slot)])
-            is not [{ } turn])
+        var earliest = Read(
+            $"SELECT min(turn) FROM ({least}) AS least",
+            r => r.IsDBNull(0) ? (long?)null : r.GetInt64(0),
+            [("machine", machine), ("slot", slot)]);
+        if (earliest is not [{ } turn])
         {
             return null;
         }
@@ -146,7 +149,10 @@ internal sealed class CorrectionQueries(CellDatabase database)
 
     /// <inheritdoc cref="CellStore.OfProgram"/>
     public IReadOnlyList<Correction> OfProgram(string job, string sha256) =>
-        Read(CorrectionRow.Select + " WHERE program_sha256 = @sha256 AND job = @job ORDER BY id", CorrectionRow.Read, [("sha256", sha256), ("job", job)]);
+        Read(
+            CorrectionRow.Select + " WHERE program_sha256 = @sha256 AND job = @job ORDER BY id",
+            CorrectionRow.Read,
+            [("sha256", sha256), ("job", job)]);
 
     /// <inheritdoc cref="CellStore.Waiting"/>
     public IReadOnlyList<WaitingCorrections> Waiting() => Read(

@@ -31,7 +31,8 @@ internal static class StepWriter
         };
         if (after.Identity is { } identity && identity != from.Identity
             && transaction.Value<long?>(
-                "SELECT id FROM correction WHERE identity = @identity AND id <> @Id", [("identity", identity), ("Id", after.Id)]) is { } existing)
+                "SELECT id FROM correction WHERE identity = @identity AND id <> @Id",
+                [("identity", identity), ("Id", after.Id)]) is { } existing)
         {
             throw new DuplicateCorrectionException(existing);
         }

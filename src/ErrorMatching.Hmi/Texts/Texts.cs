@@ -71,7 +71,8 @@ public sealed partial class Texts : Observable
     private static Dictionary<string, string> Read(Language language)
     {
         using var stream = typeof(Texts).Assembly.GetManifestResourceStream("texts." + (language == Language.English ? "en" : "zh-Hant"))!;
-        return JsonSerializer.Deserialize(stream, TextsJson.Default.DictionaryStringString)!.ToDictionary(t => t.Key, t => Unparted(t.Value));
+        var texts = JsonSerializer.Deserialize(stream, TextsJson.Default.DictionaryStringString)!;
+        return texts.ToDictionary(t => t.Key, t => Unparted(t.Value));
     }
 
     // Keeps a number and its unit on one line.

@@ -22,7 +22,8 @@ public sealed class DraftFolder(string folder)
             OutputFile.Write(ProgramFile(kept.Job, program.Sha256), program.Bytes, [], CancellationToken.None);
         }
 
-        OutputFile.Write(DraftFile(kept.Job), JsonSerializer.SerializeToUtf8Bytes(kept, DraftJson.Default.StoredDraft), [], CancellationToken.None);
+        OutputFile.Write(
+            DraftFile(kept.Job), JsonSerializer.SerializeToUtf8Bytes(kept, DraftJson.Default.StoredDraft), [], CancellationToken.None);
     }
 
     /// <summary>Reads the unsaved changes of a job; null if there are none.</summary>

@@ -1,6 +1,5 @@
 using System.IO.Compression;
 using System.Security.Cryptography;
-using Dapper;
 using ErrorMatching.Testing;
 using Microsoft.Data.Sqlite;
 
@@ -59,7 +58,7 @@ public sealed class ContentArchiveTests
             connection.Open();
             connection.Execute(FormattableString.Invariant($"PRAGMA application_id = {ContentArchive.ApplicationId}"));
             connection.Execute(ContentArchive.Table);
-            connection.Execute("INSERT INTO content VALUES (@Hash, @bytes, @form, @length)", new { Hash, bytes, form, length });
+            connection.Execute("INSERT INTO content VALUES (@Hash, @bytes, @form, @length)", [("Hash", Hash), ("bytes", bytes), ("form", form), ("length", length)]);
         }
 
         return ContentArchive.Open(folder.Path, name);

@@ -4,12 +4,14 @@ namespace ErrorMatching.Cell.Tests;
 
 public sealed class StoredPageTests() : StoreTest(new SqliteKind())
 {
+    private static (string, SqlArgument)[] Page(Correction correction) => [("PageSha256", correction.PageSha256)];
+
     [Fact]
     public void A_page_is_drawn_from_its_report_and_takes_no_room()
     {
         var (store, computed, correction) = Compute();
-        Assert.Equal(["page"], store.Read("SELECT form FROM content WHERE sha256 = @PageSha256", r => r.GetString(0), correction));
-        Assert.Equal([0L], store.Read("SELECT length(bytes) FROM content WHERE sha256 = @PageSha256", r => r.GetInt64(0), correction));
+        Assert.Equal(["page"], store.Read("SELECT form FROM content WHERE sha256 = @PageSha256", r => r.GetString(0), Page(correction)));
+        Assert.Equal([0L], store.Read("SELECT length(bytes) FROM content WHERE sha256 = @PageSha256", r => r.GetInt64(0), Page(correction)));
         Assert.True(computed.Page.Span.SequenceEqual(store.Content(correction.PageSha256!)));
         Assert.True(computed.Report.Span.SequenceEqual(store.Content(correction.ReportSha256!)));
         Assert.All(CorrectionFiles.Read(store, correction), f => Assert.Null(f.Notice));
@@ -19,7 +21,7 @@ public sealed class StoredPageTests() : StoreTest(new SqliteKind())
     public void A_page_that_its_report_does_not_give_is_stored_itself()
     {
         var (store, computed, correction) = Compute(page => [.. page, (byte)' ']);
-        Assert.Equal(["brotli"], store.Read("SELECT form FROM content WHERE sha256 = @PageSha256", r => r.GetString(0), correction));
+        Assert.Equal(["brotli"], store.Read("SELECT form FROM content WHERE sha256 = @PageSha256", r => r.GetString(0), Page(correction)));
         Assert.Equal([.. computed.Page.Span, (byte)' '], store.Content(correction.PageSha256!));
     }
 
@@ -30,7 +32,7 @@ public sealed class StoredPageTests() : StoreTest(new SqliteKind())
         var (store, computed, correction) = Compute(page => [.. page, (byte)' ']);
         store.Write(t => t.Execute(
             "UPDATE content SET bytes = @none, form = 'page', source = @ReportSha256, made_by = '0.9.9' WHERE sha256 = @PageSha256",
-            new { none = Array.Empty<byte>(), correction.ReportSha256, correction.PageSha256 }));
+            [("none", Array.Empty<byte>()), ("ReportSha256", correction.ReportSha256), ("PageSha256", correction.PageSha256)]));
         var redrawn = Assert.Throws<StoreException>(() => store.Content(correction.PageSha256!));
         Assert.Equal(StoreError.Redrawn, redrawn.Error);
         Assert.Contains("0.9.9", redrawn.Message, StringComparison.Ordinal);
@@ -62,10 +64,10 @@ public sealed class StoredPageTests() : StoreTest(new SqliteKind())
         var hash = Convert.ToHexStringLower(SHA256.HashData(plain.Span));
         using (var earlier = StoreOpening.Connect(Settings, _ => { }))
         {
-            earlier.Change((connection, transaction) => Dapper.SqlMapper.Execute(
+            earlier.Change((connection, transaction) => Sql.Execute(
                 connection,
                 "INSERT INTO content (sha256, bytes) VALUES (@hash, @bytes)",
-                new { hash, bytes = plain.ToArray() },
+                [("hash", hash), ("bytes", plain.ToArray())],
                 transaction));
         }
 

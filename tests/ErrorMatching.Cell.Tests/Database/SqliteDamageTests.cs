@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Text;
-using Dapper;
 using Microsoft.Data.Sqlite;
 
 namespace ErrorMatching.Cell.Tests;
@@ -46,8 +45,12 @@ public sealed class SqliteDamageTests : IDisposable
         Fill();
         var whole = System.IO.File.ReadAllBytes(File);
         long[] roots;
-        using (var connection = new SqliteConnection($"Data Source={File};Pooling=False")) roots = [
-            .. connection.Query<long>("SELECT rootpage FROM sqlite_master WHERE rootpage > 0")];
+        using (var connection = new SqliteConnection($"Data Source={File};Pooling=False"))
+        {
+            connection.Open();
+            roots = [.. Rows.Query(connection, "SELECT rootpage FROM sqlite_master WHERE rootpage > 0", r => r.GetInt64(0))];
+        }
+
         Assert.True(roots.Length > 10);
         foreach (var root in roots.Append(1))
         {

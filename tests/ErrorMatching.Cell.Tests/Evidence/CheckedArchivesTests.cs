@@ -68,10 +68,10 @@ public sealed class CheckedArchivesTests : PeopleTest
     {
         var name = Thinned();
         var hash = StoredContent.Sha256("kept"u8);
-        Store.Database.Change((connection, transaction) => Dapper.SqlMapper.Execute(
+        Store.Database.Change((connection, transaction) => Sql.Execute(
             connection,
             "UPDATE content SET bytes = X'', form = 'archive', length = 4, source = @source WHERE sha256 = @hash",
-            new { hash, source = other ?? name },
+            [("hash", hash), ("source", other ?? name)],
             transaction));
 
         // The known one has three contents, by the trail, and not four.

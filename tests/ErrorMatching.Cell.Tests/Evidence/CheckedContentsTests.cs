@@ -42,10 +42,10 @@ public sealed class CheckedContentsTests : PeopleTest
         Put(packed);
         Assert.Null(Named(store, hash));
 
-        void Put(PackedContent content) => store.Database.Change((connection, transaction) => Dapper.SqlMapper.Execute(
+        void Put(PackedContent content) => store.Database.Change((connection, transaction) => Sql.Execute(
             connection,
             "UPDATE content SET bytes = @Bytes, form = @Form, length = @Length WHERE sha256 = @hash",
-            new { content.Bytes, content.Form, content.Length, hash },
+            [("Bytes", content.Bytes), ("Form", content.Form), ("Length", content.Length), ("hash", hash)],
             transaction));
     }
 
@@ -53,10 +53,10 @@ public sealed class CheckedContentsTests : PeopleTest
     public void A_content_that_is_gone_is_named_with_its_correction()
     {
         var store = Filled();
-        store.Database.Read(connection => Dapper.SqlMapper.Execute(
+        store.Database.Read(connection => Sql.Execute(
             connection,
             "PRAGMA foreign_keys = OFF; DELETE FROM content WHERE sha256 = @Hash",
-            new { Hash = StoredContent.Sha256(Program) }));
+            [("Hash", StoredContent.Sha256(Program))]));
         var fault = Named(store, StoredContent.Sha256(Program))!;
         Assert.Equal(Recorded.ContentMissing.With(StoredContent.Sha256(Program), 1L), fault.Statement);
     }

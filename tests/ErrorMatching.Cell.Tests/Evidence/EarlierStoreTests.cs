@@ -1,5 +1,4 @@
 using System.Security.Cryptography;
-using Dapper;
 using ErrorMatching.Reporting;
 using ErrorMatching.Testing;
 

@@ -1,7 +1,6 @@
 using System.Globalization;
 using System.Security.Cryptography;
 using System.Text;
-using Dapper;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell.Tests;
@@ -342,7 +341,7 @@ public sealed class TamperedStoreTests : PeopleTest
         {
             var plain = AuditEntry.After(previous, e.Seq, e.At, e.Who, e.What, e.Subject, e.Basis);
             database.Change((connection, transaction) => connection.Execute("UPDATE audit SET row_codes = NULL, previous = @Previous, "
-                + "hash = @Hash WHERE seq = @Seq", new { plain.Previous, plain.Hash, plain.Seq }, transaction));
+                + "hash = @Hash WHERE seq = @Seq", [("Previous", plain.Previous), ("Hash", plain.Hash), ("Seq", plain.Seq)], transaction));
             (previous, last) = (plain.Hash, plain.Seq);
         }
 
@@ -400,7 +399,7 @@ public sealed class TamperedStoreTests : PeopleTest
         foreach (var statement in statements)
         {
             database.Change((connection, transaction) =>
-                connection.Execute(statement, new { own = OwnSha256, bytes = Encoding.UTF8.GetBytes(Own) }, transaction));
+                connection.Execute(statement, [("own", OwnSha256), ("bytes", Encoding.UTF8.GetBytes(Own))], transaction));
         }
     }
 

@@ -77,13 +77,13 @@ public sealed class MachineSecretsTests : PeopleTest
         {
             var changed = bytes.ToArray();
             changed[at] ^= 1;
-            Store.Write(t => t.Execute("UPDATE machine_secret SET bytes = @changed", new { changed }));
+            Store.Write(t => t.Execute("UPDATE machine_secret SET bytes = @changed", [("changed", changed)]));
             Refused(PeopleError.SecretUnreadable, () => secrets.Get("vmc1"));
         }
 
-        Store.Write(t => t.Execute("UPDATE machine_secret SET bytes = @cut", new { cut = bytes[..^1] }));
+        Store.Write(t => t.Execute("UPDATE machine_secret SET bytes = @cut", [("cut", bytes[..^1])]));
         Refused(PeopleError.SecretUnreadable, () => secrets.Get("vmc1"));
-        Store.Write(t => t.Execute("UPDATE machine_secret SET bytes = @bytes", new { bytes }));
+        Store.Write(t => t.Execute("UPDATE machine_secret SET bytes = @bytes", [("bytes", bytes)]));
         Assert.Equal(Secret, secrets.Get("vmc1"));
     }
 

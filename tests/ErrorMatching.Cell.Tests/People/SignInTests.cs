@@ -49,7 +49,7 @@ public sealed class SignInTests : PeopleTest
             Refused(PeopleError.SignInRefused, () => Users.SignIn("Anna", "wrong"));
         }
 
-        Store.Database.Change((connection, transaction) => Dapper.SqlMapper.Execute(connection, tampering, transaction: transaction));
+        Store.Database.Change((connection, transaction) => Sql.Execute(connection, tampering, transaction: transaction));
 
         Assert.Equal(Clock.Now.AddMinutes(1), Refused(PeopleError.LockedOut, () => Users.SignIn("anna", Right)).LockedUntil);
         Assert.Equal((6, Clock.Now.AddMinutes(1)), (Users.List()[0].Failures, Users.List()[0].LockedUntil));

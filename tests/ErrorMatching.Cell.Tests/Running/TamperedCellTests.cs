@@ -1,6 +1,5 @@
 using System.Security.Cryptography;
 using System.Text;
-using Dapper;
 using Microsoft.Data.Sqlite;
 
 namespace ErrorMatching.Cell.Tests;
@@ -111,6 +110,6 @@ public sealed class TamperedCellTests
         using var connection = new SqliteConnection($"Data Source={cell.PathOf("cell.db")};Pooling=False");
         connection.Open();
         connection.Execute("PRAGMA busy_timeout = 15000; INSERT OR IGNORE INTO content (sha256, bytes) VALUES (@own, @bytes); " + sql,
-            new { own = Convert.ToHexStringLower(SHA256.HashData(bytes)), bytes });
+            [("own", Convert.ToHexStringLower(SHA256.HashData(bytes))), ("bytes", bytes)]);
     }
 }

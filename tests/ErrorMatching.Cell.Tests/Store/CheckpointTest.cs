@@ -1,5 +1,4 @@
 using System.Globalization;
-using Dapper;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell.Tests;
@@ -66,7 +65,7 @@ public abstract class CheckpointTest(StoreKind kind) : StoreTest(kind)
         foreach (var sql in statements)
         {
             store.Database.Change((connection, transaction) => connection.Execute(
-                sql, new { own = Hash(Own), bytes = Bytes(Own).ToArray() }, transaction));
+                sql, [("own", Hash(Own)), ("bytes", Bytes(Own).ToArray())], transaction));
         }
     }
 

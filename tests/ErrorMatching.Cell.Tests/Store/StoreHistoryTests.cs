@@ -291,7 +291,7 @@ public abstract class StoreHistoryTests(StoreKind kind) : StoreTest(kind)
     {
         var store = Open();
         var correction = store.Archive(Arrival("one", "1;2;3")).Correction;
-        store.Write(t => t.Execute("UPDATE content SET bytes = @Bytes", new { Bytes = "1;2;4"u8.ToArray() }));
+        store.Write(t => t.Execute("UPDATE content SET bytes = @Bytes", [("Bytes", "1;2;4"u8.ToArray())]));
         var damaged = Assert.Throws<StoreException>(() => store.Content(correction.MeasurementSha256));
         Assert.Equal(StoreError.Damaged, damaged.Error);
         Assert.Contains(correction.MeasurementSha256, damaged.Message, StringComparison.Ordinal);

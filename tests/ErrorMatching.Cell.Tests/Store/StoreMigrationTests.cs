@@ -1,4 +1,3 @@
-using Dapper;
 
 namespace ErrorMatching.Cell.Tests;
 
@@ -101,7 +100,12 @@ public abstract class StoreMigrationTests(StoreKind kind) : StoreTest(kind)
         return Tables(filled);
     }
 
-    private Dictionary<string, List<IDictionary<string, object>>> Tables(CellDatabase database) => database.Read(connection => connection
-        .Query<string>(Kind.TablesSql)
-        .ToDictionary(t => t, t => connection.Query($"SELECT * FROM {t} ORDER BY 1, 2").Cast<IDictionary<string, object>>().ToList()));
+    private Dictionary<string, List<IDictionary<string, object>>> Tables(CellDatabase database) => database.Read(connection => Rows
+        .Query(connection, Kind.TablesSql, r => r.GetString(0))
+        .ToDictionary(t => t, t => Rows
+            .Query<IDictionary<string, object>>(
+                connection,
+                $"SELECT * FROM {t} ORDER BY 1, 2",
+                r => Enumerable.Range(0, r.FieldCount).ToDictionary(r.GetName, i => r.IsDBNull(i) ? null! : r.GetValue(i)))
+            .ToList()));
 }

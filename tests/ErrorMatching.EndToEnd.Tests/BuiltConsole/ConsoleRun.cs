@@ -9,12 +9,29 @@ internal sealed record ConsoleRun(int Exit, string Output, string Error)
 {
     private static readonly UTF8Encoding Strict = new(encoderShouldEmitUTF8Identifier: false, throwOnInvalidBytes: true);
 
-    /// <summary>The executable: what ERRORMATCH_CONSOLE names, such as a script that starts the console for another system, or else the one
-    /// that is built in the same configuration as these tests.</summary>
-    public static string Executable { get; } = Other ?? Find();
+    private const string Name = "errormatch";
+
+    /// <summary>The executable: what ERRORMATCH_CONSOLE names, the native one or a script that starts the console for another system, or
+    /// else the one that is built in the same configuration as these tests.</summary>
+    public static string Executable { get; } = Other ?? Built;
+
+    /// <summary>The console that is built in the same configuration as these tests, in libraries.</summary>
+    public static string Built
+    {
+        get
+        {
+            // Tests and console are built side by side: .../bin/<project>/<configuration>/
+            var configuration = new DirectoryInfo(AppContext.BaseDirectory.TrimEnd(Path.DirectorySeparatorChar));
+            return Path.Combine(
+                configuration.Parent!.Parent!.FullName,
+                "ErrorMatching.Console",
+                configuration.Name,
+                OperatingSystem.IsWindows() ? Name + ".exe" : Name);
+        }
+    }
 
     /// <summary>True if a signal asks the console to end; false for one of Windows.</summary>
-    public static bool HasSignals => Other is null && !OperatingSystem.IsWindows();
+    public static bool HasSignals => !OperatingSystem.IsWindows() && (Other is null || Path.GetFileName(Other) == Name);
 
     private static string? Other => Environment.GetEnvironmentVariable("ERRORMATCH_CONSOLE");
 
@@ -68,16 +85,5 @@ internal sealed record ConsoleRun(int Exit, string Output, string Error)
         var (output, error) = (process.StandardOutput.ReadToEndAsync(token), process.StandardError.ReadToEndAsync(token));
         await process.WaitForExitAsync(token);
         return new(process.ExitCode, await output, await error);
-    }
-
-    // Tests and console are built side by side: .../bin/<project>/<configuration>/
-    private static string Find()
-    {
-        var configuration = new DirectoryInfo(AppContext.BaseDirectory.TrimEnd(Path.DirectorySeparatorChar));
-        return Path.Combine(
-            configuration.Parent!.Parent!.FullName,
-            "ErrorMatching.Console",
-            configuration.Name,
-            OperatingSystem.IsWindows() ? "errormatch.exe" : "errormatch");
     }
 }

@@ -17,15 +17,16 @@ public sealed class LoadedLibrariesTests
         var trace = shop["loaded.nettrace"];
 
         // The runtime writes down each library that it loads. Sources: learn.microsoft.com, "EventPipe", "Runtime loader events".
-        var run = await ConsoleRun.Of(
-            shop.Folder,
-            new Dictionary<string, string?>
+        var run = await ConsoleRun.Of(new(ConsoleRun.Built, line.Split(' '))
+        {
+            WorkingDirectory = shop.Folder,
+            Environment =
             {
                 ["DOTNET_EnableEventPipe"] = "1",
                 ["DOTNET_EventPipeOutputPath"] = trace,
                 ["DOTNET_EventPipeConfig"] = "Microsoft-Windows-DotNETRuntime:0x8:4",
             },
-            line.Split(' '));
+        });
         Assert.True(run.Exit == 0, run.Output + run.Error);
         var told = await File.ReadAllBytesAsync(trace, TestContext.Current.CancellationToken);
         Assert.True(IsIn(needed), $"{needed} is not among what was loaded: the trace does not tell.");

@@ -108,6 +108,37 @@ public sealed class CorrectionChoiceTests
         Assert.InRange((double)choice.Work!.Total.RotationDegrees, (0.01 / 30 * 180 / Math.PI) - 2e-4, (0.01 / 30 * 180 / Math.PI) + 2e-4);
     }
 
+    // The turn is 0.0191 degrees.
+    [Theory]
+    [InlineData(", \"stepDegrees\": 0.0195", CorrectionKind.WorkOffset)]
+    [InlineData(", \"stepDegrees\": 0.0185", CorrectionKind.Blocks)]
+    [InlineData(", \"totalDegrees\": 0.0195", CorrectionKind.WorkOffset)]
+    [InlineData(", \"totalDegrees\": 0.0185", CorrectionKind.Blocks)]
+    public void Limits_hold_for_the_turn_and_the_sum_of_turns(string limit, CorrectionKind kind) =>
+        Assert.Equal(
+            kind, (Case(All, limit) with { Part = "1 10 0.02; 2 40 0.03", Dialect = "linuxcnc" }).Match().Correction!.Kind);
+
+    // The line rises by 8.5 and by 9.5 um, which a gauge of 3 um hardly tells: what is expected of the radius is 4 and 10 % above blocks
+    // (rms), at its worst place 6 and more than 10 %.
+    [Theory]
+    [InlineData(0.0685, CorrectionKind.ToolWear)]
+    [InlineData(0.0695, CorrectionKind.Blocks)]
+    public void A_tenth_of_the_error_is_given_for_a_smaller_change(double second, CorrectionKind kind)
+    {
+        var noisy = Case("\"tool-wear\", \"blocks\"", ", \"stepMm\": 0.1, \"withinMm\": 0") with
+        {
+            Gauge = """ "uncertaintyMm": 0.003 """,
+            Part = FormattableString.Invariant($"1 10 0.060; 2 40 {second}"),
+            Features = [MatchCase.Line("L1", "N50", "1", "2", """ "toleranceMm": [-0.05, 0.05] """)],
+        };
+        var choice = noisy.Match().Correction!;
+        Assert.Equal(kind, choice.Kind);
+        if (kind == CorrectionKind.ToolWear)
+        {
+            Assert.InRange(choice.Expected!.LargestMm / choice.ExpectedByBlocks!.LargestMm, 1.02, 1.1);
+        }
+    }
+
     // The largest difference is by how much the two increments of the line differ from their middle: the limit, and just beyond it.
     [Theory]
     [InlineData(0.0219, CorrectionKind.ToolWear)]

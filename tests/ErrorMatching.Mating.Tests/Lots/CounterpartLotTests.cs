@@ -55,6 +55,15 @@ public sealed class CounterpartLotTests(ITestOutputHelper output)
         Assert.False(read.Lot.Pieces.Pieces[^2].Values.IsAfterToolChange);
     }
 
+    // Left uncorrected, it adds 2 % to what cannot be known.
+    [Fact]
+    public void What_is_not_worth_a_correction_costs_two_percent()
+    {
+        var lot = Cut(6, _ => 0.02, 3, goesOn: true)[^1].Match.Lot!;
+        var unknown = Math.Sqrt(lot.Next!.UncertaintyMm.Average(u => u * u));
+        Assert.InRange(Math.Sqrt((unknown * unknown) + (lot.WorthMm!.Value * lot.WorthMm.Value)) / unknown, 1.0190, 1.0200);
+    }
+
     // Each piece alone, and all of them in single steps, are below the noise of one measurement.
     [Fact]
     public void A_slow_drift_is_followed_before_one_piece_shows_it()

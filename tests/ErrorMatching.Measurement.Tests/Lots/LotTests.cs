@@ -18,6 +18,40 @@ public sealed class LotTests
         Assert.All(direct.ExpectedMm.Zip(corrected.ExpectedMm), pair => Assert.Equal(pair.First, pair.Second, 1e-12));
     }
 
+    // What two pieces differ by has the noise of both: +a and -a about their mean are a variance of 2 a^2 for one degree of freedom.
+    [Fact]
+    public void The_noise_of_a_point_is_what_two_pieces_differ_by_over_root_2()
+    {
+        var before = new RecordedPiece("1", U, new([0.010, 0.020], [0, 0]));
+        var piece = RecordedPiece.After(before, "2", new([0.017, 0.015], [0.001, -0.001]));
+
+        // 0.006 and -0.004 without the corrections: 0.005 about the mean.
+        Assert.Equal(0.005, piece.NoiseMm, 1e-12);
+    }
+
+    // Of two pieces, the first one has the stated uncertainty. A large noise must be shown by more than half of the pieces.
+    [Theory]
+    [InlineData(0.001, 0.001, 0.009)]
+    [InlineData(0.001, 0.001, 0.001, 0.009)]
+    [InlineData(0.001, 0.001, 0.001, 0.009, 0.009)]
+    [InlineData(0.009, 0.001, 0.009, 0.009)]
+    public void The_noise_of_a_lot_is_the_lower_median_of_its_pieces(double expected, params double[] noises)
+    {
+        LotPiece[] values = [.. noises.Select((_, k) => new LotPiece([0.001 * k, -0.001 * k, 0.0005 * k, 0], _zeros))];
+        var lot = new MeasuredLot(["1", "2", "3", "4"], [.. values.Zip(noises, (v, n) => new RecordedPiece("", n, v))], _zeros)
+            .Estimate(0.0001);
+        Assert.Equal(Lot.Of(values, expected).UncertaintyMm, lot.UncertaintyMm);
+    }
+
+    // The mean of two points has half the variance of one, and the difference to it the other half.
+    [Fact]
+    public void The_noise_that_is_reported_is_that_of_one_point()
+    {
+        var random = new Random(5);
+        LotPiece[] pieces = [.. Enumerable.Range(0, 60).Select(_ => new LotPiece([U * Normal(random), U * Normal(random)], [0, 0]))];
+        Assert.InRange(Lot.Of(pieces, U).NoiseMm, 0.9 * U, 1.12 * U);
+    }
+
     [Fact]
     public void A_large_error_that_repeats_is_expected_again()
     {

@@ -13,7 +13,6 @@ internal static class Licenses
         ("Avalonia.Themes.Fluent", "MIT"),
         ("BouncyCastle.Cryptography", "MIT"),
         ("CsvHelper", "MS-PL OR Apache-2.0"),
-        ("Dapper", "Apache-2.0"),
         ("HarfBuzzSharp*", "MIT; HarfBuzz: MIT (Old)"),
         ("MathNet.Numerics", "MIT"),
         ("MicroCom.Runtime", "MIT"),
