@@ -73,8 +73,12 @@ public sealed class SqliteDamageTests : IDisposable
         System.IO.File.WriteAllText(File, string.Concat(Enumerable.Repeat("not a database ", 1000)));
         IsDamaged();
         System.IO.File.Delete(File);
-        using (var connection = new SqliteConnection(
-            $"Data Source={File};Pooling=False")) connection.Execute("CREATE TABLE music (title TEXT)");
+        using (var connection = new SqliteConnection($"Data Source={File};Pooling=False"))
+        {
+            connection.Open();
+            connection.Execute("CREATE TABLE music (title TEXT)");
+        }
+
         Assert.Equal(StoreError.Foreign, Assert.Throws<StoreException>(() => CellStore.Open(Settings, TimeProvider.System)).Error);
     }
 
