@@ -44,7 +44,7 @@ public class ContractTests
         var (exit, output, error) = Shell.Run("--help");
         Assert.Equal((0, ""), (exit, error));
         Assert.Contains("Example:\n  errormatch match samples/complex-mating/job.json --out out\n", output, StringComparison.Ordinal);
-        Assert.EndsWith("Manual:\n  docs/first-match.md, and the tasks listed in README.md\n", output, StringComparison.Ordinal);
+        Assert.EndsWith("Manual:\n  docs/first-match.md, and the tasks listed in docs/README.md\n", output, StringComparison.Ordinal);
         Assert.True(File.Exists(Repository.PathTo("docs/first-match.md")));
     }
 

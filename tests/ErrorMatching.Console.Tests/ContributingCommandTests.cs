@@ -162,8 +162,8 @@ public sealed partial class ContributingCommandTests
     {
         var text = File.ReadAllText(Repository.PathTo(script));
         Assert.True(
-            word[0] == '-' ? text.Contains($"\"{word}\"", StringComparison.Ordinal)
-                : text.Contains($"\n{word})", StringComparison.Ordinal) || text.Contains($"\n    {word})", StringComparison.Ordinal),
+            word[0] == '-' && text.Contains($"\"{word}\"", StringComparison.Ordinal)
+                || text.Contains($"\n{word})", StringComparison.Ordinal) || text.Contains($"\n    {word})", StringComparison.Ordinal),
             $"{script} does not know {word}.");
     }
 

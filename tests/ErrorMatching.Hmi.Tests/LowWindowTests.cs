@@ -18,6 +18,8 @@ public sealed class LowWindowTests
     private static readonly string[] Read = [
         "compensation-next", "forbidden", "detail-changed-job", "compensation-message", "compensation-undone"];
 
+    private static readonly (Language Language, string Code)[] Languages = [(Language.TraditionalChinese, "zh"), (Language.English, "en")];
+
     [Theory]
     [InlineData(1024, 640, TouchSize.Standard)]
     [InlineData(1024, 640, TouchSize.Largest)]
@@ -56,12 +58,19 @@ public sealed class LowWindowTests
                 Look(side);
             }
 
-            seat.Tap("approve").See("signing-password");
-            Look("signing");
-            seat.User.Press(Key.Escape);
-            seat.Tap("reject").See("signing-reason");
-            Look("rejecting");
-            seat.User.Press(Key.Escape);
+            // A dialog asks to be scrolled to its end as it opens: nobody changes the language while it is open.
+            foreach (var language in Languages)
+            {
+                Texts.Current.Language = language.Language;
+                seat.User.Settle();
+                seat.Tap("approve").See("signing-password");
+                Look("signing", language);
+                seat.User.Press(Key.Escape);
+                seat.Tap("reject").See("signing-reason");
+                Look("rejecting", language);
+                seat.User.Press(Key.Escape);
+            }
+
             foreach (var (screen, id) in new[]
             {
                 (ScreenKeys.Verification, "plot-errors"), (ScreenKeys.History, "found-1"), (ScreenKeys.Messages, "audit")
@@ -83,9 +92,9 @@ public sealed class LowWindowTests
                     "It is not shown.");
             }
 
-            void Look(string name)
+            void Look(string name, (Language Language, string Code)? only = null)
             {
-                foreach (var (language, code) in new[] { (Language.TraditionalChinese, "zh"), (Language.English, "en") })
+                foreach (var (language, code) in only is { } one ? [one] : Languages)
                 {
                     Texts.Current.Language = language;
                     seat.User.Settle();

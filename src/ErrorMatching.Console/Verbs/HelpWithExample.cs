@@ -19,7 +19,7 @@ internal sealed class HelpWithExample(HelpAction help) : SynchronousCommandLineA
                 break;
             case RootCommand:
                 parseResult.InvocationConfiguration.Output.Write(
-                    $"Example:\n  {CommandTree.Example}\n\nManual:\n  docs/first-match.md, and the tasks listed in README.md\n");
+                    $"Example:\n  {CommandTree.Example}\n\nManual:\n  docs/first-match.md, and the tasks listed in docs/README.md\n");
                 break;
         }
 

@@ -58,7 +58,9 @@ public sealed class ContentArchiveTests
             connection.Open();
             connection.Execute(FormattableString.Invariant($"PRAGMA application_id = {ContentArchive.ApplicationId}"));
             connection.Execute(ContentArchive.Table);
-            connection.Execute("INSERT INTO content VALUES (@Hash, @bytes, @form, @length)", [("Hash", Hash), ("bytes", bytes), ("form", form), ("length", length)]);
+            connection.Execute(
+                "INSERT INTO content VALUES (@Hash, @bytes, @form, @length)",
+                [("Hash", Hash), ("bytes", bytes), ("form", form), ("length", length)]);
         }
 
         return ContentArchive.Open(folder.Path, name);

@@ -11,7 +11,8 @@ public sealed class StoredPageTests() : StoreTest(new SqliteKind())
     {
         var (store, computed, correction) = Compute();
         Assert.Equal(["page"], store.Read("SELECT form FROM content WHERE sha256 = @PageSha256", r => r.GetString(0), Page(correction)));
-        Assert.Equal([0L], store.Read("SELECT length(bytes) FROM content WHERE sha256 = @PageSha256", r => r.GetInt64(0), Page(correction)));
+        Assert.Equal(
+            [0L], store.Read("SELECT length(bytes) FROM content WHERE sha256 = @PageSha256", r => r.GetInt64(0), Page(correction)));
         Assert.True(computed.Page.Span.SequenceEqual(store.Content(correction.PageSha256!)));
         Assert.True(computed.Report.Span.SequenceEqual(store.Content(correction.ReportSha256!)));
         Assert.All(CorrectionFiles.Read(store, correction), f => Assert.Null(f.Notice));

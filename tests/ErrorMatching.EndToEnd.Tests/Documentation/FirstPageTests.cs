@@ -7,7 +7,7 @@ namespace ErrorMatching.EndToEnd.Tests;
 public sealed partial class FirstPageTests
 {
     [Fact]
-    public void The_first_page_is_short() => Assert.InRange(File.ReadAllLines(Repository.PathTo("README.md")).Length, 50, 150);
+    public void The_first_page_is_short() => Assert.InRange(File.ReadAllLines(Repository.PathTo("README.md")).Length, 50, 80);
 
     // The two drawings of the sample's report side by side, with the report's own style.
     [Fact]
