@@ -50,10 +50,6 @@ internal sealed class PieceEstimate
         return feature;
     }
 
-    /// <summary>Predicts the mating error that a program leaves.</summary>
-    /// <param name="after">The program to cut.</param>
-    public MatingPrediction Predict(NcPath after) => PredictOn(r => r.OnCuts(after));
-
     /// <summary>Predicts the mating error that cuts leave.</summary>
     /// <param name="cuts">The cuts of each run.</param>
     public MatingPrediction PredictOn(Func<RunEstimate, RunPath> cuts)
