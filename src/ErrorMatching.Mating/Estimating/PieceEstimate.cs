@@ -83,9 +83,12 @@ internal sealed class PieceEstimate
         var worst = _elements[pass].Count == 0
             ? WholeShape.Around(run, _path, pass).WorstOn(cutsBefore, cutsAfter, map.Feature.FormMm, limits, Risk)
             : PredictedError.Worst(
-                _elements[pass].Where(e => !TellsForm(e)).Select(e => run.WidestGap(e, cutsAfter))
-                    .Append(run.WorstAlong(_elements[pass].FindAll(TellsForm), cutsAfter, limits, Risk)).OfType<PredictedError>(),
+                _elements[pass].Where(e => !IsKnown(e)).Select(e => run.WidestGap(e, cutsAfter))
+                    .Append(run.WorstAlong(_elements[pass].FindAll(IsKnown), cutsAfter, limits, Risk)).OfType<PredictedError>(),
                 limits);
+
+        bool IsKnown(BoundaryElement element) => TellsForm(element) && run.IsCompared(element);
+
         return new(
             points,
             worst is null ? null : worst with { Place = toPart.Apply(worst.Place), Normal = toPart.Apply(worst.Normal) },

@@ -301,11 +301,21 @@ internal sealed class RunEstimate
 
         var (from, to) = feet.Zip(feet.Skip(1)).MaxBy(g => g.Second - g.First);
         var at = (from + to) / 2;
-        return ErrorBetween(element, at, ErrorBetween(element, after, at)) with
+        if (IsLeft(element, at))
         {
-            IsKnown = false
-        };
+            return ErrorBetween(element, at, ErrorBetween(element, after, at)) with { IsKnown = false };
+        }
+
+        // Where the part has no boundary there, the error is what the nearest point says.
+        var (place, normal) = Run.PlaceAt(element, at);
+        var nearest = Enumerable.Range(0, Points.Count).Where(p => Points[p].AlongOf(element) is not null)
+            .MinBy(p => Math.Abs(Points[p].AlongOf(element)!.Value - at));
+        return new(place, normal, ErrorAt(nearest, _before), ErrorAt(nearest, after), UncertaintyMm) { IsKnown = false };
     }
+
+    /// <summary>True if an element is compared anywhere between its key points. Where a neighbor that deviates more takes all of it away,
+    /// its points say nothing of the boundary that is left.</summary>
+    public bool IsCompared(BoundaryElement element) => Between(element).Any();
 
     private PredictedError ErrorBetween(BoundaryElement element, double at, double mm)
     {
@@ -381,8 +391,13 @@ internal sealed class RunEstimate
         var (before, behind) = (Run.JointAfter(IndexOf(element) - 1), Run.JointAfter(IndexOf(element)));
         var from = before is not null ? element.FromMm + EndAt(before) : Math.Max(feet.Min(), element.FromMm);
         var to = behind is not null ? element.ToMm - EndAt(behind) : Math.Min(feet.Max(), element.ToMm);
+        if (from > to)
+        {
+            from = to = (from + to) / 2;
+        }
+
         var steps = Math.Clamp((int)Math.Ceiling((to - from) / SpacingMm), 1, MostPlaces);
-        for (var k = 0; k <= steps && from <= to; k++)
+        for (var k = 0; k <= steps && (k == 0 || from < to); k++)
         {
             var along = from + ((to - from) * k / steps);
             if (IsLeft(element, along))

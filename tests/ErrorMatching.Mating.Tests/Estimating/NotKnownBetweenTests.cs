@@ -133,6 +133,29 @@ public sealed class NotKnownBetweenTests
         Assert.InRange(between.StandardUncertaintyMm, 0.03, 0.06);
     }
 
+    // The face is 0.35 mm lower than designed, and the chamfer of 0.4 mm at its end is in its place: the chamfer that is left is not where its
+    // points are. With the face in its place, too, the chamfer is compared.
+    [Theory]
+    [InlineData(-0.35, VerdictCode.NotKnownBetween)]
+    [InlineData(-0.001, VerdictCode.Within)]
+    public void Of_an_element_that_its_neighbor_takes_away_nothing_is_known(double face, VerdictCode code)
+    {
+        const string Face = "1 10 {0}; 2 25 {0}; 3 40 {0}", Chamfer = "; 4 50.1 -0.1; 5 50.2 -0.2; 6 50.3 -0.3";
+        var report = new MatchCase(
+            "%\nO1000\nN10 G21 G90 G17\nN20 G0 X0. Y20.\nN30 G1 G41 D1 Y0. F300\nN50 X50.\nN60 X50.4 Y-0.4\nN70 Y-30.\nN80 G40 X90.\n"
+                + "N90 M30\n%\n")
+        {
+            Theoretical = string.Format(CultureInfo.InvariantCulture, Face, 0) + Chamfer,
+            Part = string.Format(CultureInfo.InvariantCulture, Face, face) + Chamfer,
+            Features = [
+                MatchCase.Feature("line", "F1", "N50", """["1..3"]""", """ "toleranceMm": [-0.5, 0.5] """),
+                MatchCase.Feature("line", "F2", "N60", """["4..6"]""", Limits)],
+        }.Report();
+        Assert.Equal(code, report.Verdict.Code);
+        Assert.Equal(code == VerdictCode.Within ? [] : ["F2"], report.Verdict.NotKnownBetween);
+        Assert.InRange(report.Features[1].WorstBetween!.AfterMm, -0.01, 0.01);
+    }
+
     private static MatchCase Line(string points, string more) => new(Programs.ToolBelow)
     {
         Theoretical = points,
