@@ -24,7 +24,7 @@ internal static class PairText
         var places = VerdictParts.Names(blocks);
         var half = pair.Interval95Mm is { } interval ? (interval.To - interval.From) / 2 : (double?)null;
         var (probability, size) = (VerdictParts.Percent(pair.Probability), Shown.MmAsKnown(tightest, half));
-        return (pair.Assembles, tightest < 0) switch
+        var sentence = (pair.Assembles, tightest < 0) switch
         {
             (true, false) => texts.Counted("Pair.Together", blocks.Length, probability, size, places),
             (true, true) => texts.Counted("Pair.Together", blocks.Length, probability, Shown.MmAsKnown(0, half), places),
@@ -32,5 +32,13 @@ internal static class PairText
             (false, true) => texts.With("Pair.NotTogether", probability, size, places),
             (false, false) => texts.With("Pair.NoAir", probability, places),
         };
+        return pair.RoundCorners.Count == 0 || !(pair.Assembles || pair.IsWithin(limits)) ? sentence
+            : Sentence.Joined(
+                sentence,
+                texts.Counted(
+                    "Pair.RoundCorners",
+                    pair.RoundCorners.Count,
+                    VerdictParts.Names([.. pair.RoundCorners.Select(c => $"{c.Before}/{c.After}")]),
+                    Shown.MmAsKnown(pair.RoundCorners.Max(c => c.OverlapMm), null)));
     }
 }

@@ -118,14 +118,7 @@ internal sealed record WholeShape
 
         PredictedError[] errors = [.. Places.Select(Error)];
         var worst = PredictedError.Worst(errors, limits)!;
-
-        var form = statedMm ?? _formMm;
-        double[][] unknown = [.. Factor(Places), .. FormColumns(form)];
-        return worst.Within(LargestError.BoundMm([.. errors.Select(e => e.AfterMm)], unknown, null, risk));
-
-        IEnumerable<double[]> FormColumns(double mm) => Enumerable.Range(2, FormWaves).SelectMany(n => new[] { 0.0, Math.PI / 2 }.Select(
-            phase => Places.Select((_, k) => mm / Math.Sqrt(FormWaves) * Elementary.Cos((2 * Math.PI * n * k / Places.Count) - phase))
-                .ToArray()));
+        return worst.Within(LargestError.BoundMm([.. errors.Select(e => e.AfterMm)], FactorAround(statedMm), null, risk));
 
         PredictedError Error((Point2 Place, Vector2 Normal) at)
         {
@@ -145,6 +138,17 @@ internal sealed record WholeShape
     {
         var rows = Matrix<double>.Build.DenseOfRowArrays(places.Select(p => Row(p.Place, p.Normal)));
         return (rows * _spread).ToColumnArrays();
+    }
+
+    /// <summary>What is not known about the deviations at <see cref="Places"/> together, the form error included, in columns.</summary>
+    /// <param name="statedMm">Standard deviation of the form error as the job states it; null for what the points tell of it.</param>
+    public IReadOnlyList<double[]> FactorAround(double? statedMm)
+    {
+        var mm = (statedMm ?? (_tellsForm ? _formMm : 0)) / Math.Sqrt(FormWaves);
+        return [
+            .. Factor(Places),
+            .. Enumerable.Range(2, FormWaves).SelectMany(n => new[] { 0.0, Math.PI / 2 }.Select(phase =>
+                Places.Select((_, k) => mm * Elementary.Cos((2 * Math.PI * n * k / Places.Count) - phase)).ToArray()))];
     }
 
     // What each parameter does at a place. The ends of a stretched slot shift apart.

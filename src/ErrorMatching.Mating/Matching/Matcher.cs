@@ -90,7 +90,7 @@ public static class Matcher
                 Input, Path, after, Maps, Part, Counterpart, Decision, piece.PredictOn(cuts), course?.Wish, course?.Rewrite, marker, proof)
             {
                 Trust = MeasurementTrust.Of(Input.Job, piece.Runs, Decision),
-                Pair = PairEstimator.Of(Path, Maps, piece, Input.Job.Counterpart.Frame.Inverse(), cuts),
+                Pair = PairEstimator.Of(Input.Job, Path, Maps, piece, cuts),
             };
 
         // The program as it is, which nothing changes.

@@ -24,6 +24,10 @@ public sealed record PairAssembly
     /// <summary>The places that determine the seat, at most four.</summary>
     public IReadOnlyList<PairContact> Contacts { get; init; } = [];
 
+    /// <summary>The inside corners in which the tool leaves a round, and no point tells whether the part has one: the rest is of a part
+    /// that has.</summary>
+    public IReadOnlyList<PairCorner> RoundCorners { get; init; } = [];
+
     /// <summary>How far the part can move; null if the expected boundaries do not go together.</summary>
     public PairPlay? Play { get; init; }
 
@@ -45,6 +49,7 @@ public sealed record PairAssembly
         w.Number("tightestMm", TightestMm);
         WriteRange(w, "interval95Mm", Interval95Mm, null);
         w.List("contacts", Contacts, c => c.Write(w));
+        w.List("roundCorners", RoundCorners, c => c.Write(w));
         w.Optional("play", Play, p =>
         {
             WriteRange(w, "xMm", p.XMm, PairPlay.Free);
@@ -62,6 +67,7 @@ public sealed record PairAssembly
         TightestMm = r.OptionalNumber("tightestMm"),
         Interval95Mm = Range(r.OptionalNumbers("interval95Mm", 2)),
         Contacts = r.List("contacts", PairContact.Read),
+        RoundCorners = r.OptionalList("roundCorners", PairCorner.Read),
         Play = r.OptionalObject("play") is { } play
             ? new(
                 Range(play.NumbersOrWord("xMm", 2, PairPlay.Free)),
@@ -102,6 +108,24 @@ public sealed record PairContact(Point2 Place, string Feature, string Block)
 
     /// <summary>Reads what <see cref="Write"/> writes.</summary>
     internal static PairContact Read(ReportReader r) => new(r.Point("place"), r.Text("feature"), r.Text("block"));
+}
+
+/// <summary>An inside corner in which the tool leaves a round.</summary>
+/// <param name="Before">The block before it, as written: <c>N200</c>.</param>
+/// <param name="After">The block after it.</param>
+/// <param name="OverlapMm">By how much a part with a sharp corner would overlap there.</param>
+public sealed record PairCorner(string Before, string After, double OverlapMm)
+{
+    /// <summary>Writes it into the open object.</summary>
+    internal void Write(ReportWriter w)
+    {
+        w.Text("before", Before);
+        w.Text("after", After);
+        w.Number("overlapMm", OverlapMm);
+    }
+
+    /// <summary>Reads what <see cref="Write"/> writes.</summary>
+    internal static PairCorner Read(ReportReader r) => new(r.Text("before"), r.Text("after"), r.Number("overlapMm"));
 }
 
 /// <summary>The gap between the pieces at a place, at their seat.</summary>

@@ -12,31 +12,32 @@ internal sealed class PairEstimator
     // Normals that differ by less are one direction.
     private const double SameDirection = 1e-6;
 
+    private readonly MatingJob _job;
     private readonly NcPath _path;
     private readonly IReadOnlyList<FeatureMap> _maps;
     private readonly RigidTransform2 _toPart;
     private readonly List<PairPlace> _places = [];
     private readonly List<JointFactor> _factors = [];
 
-    private PairEstimator(NcPath path, IReadOnlyList<FeatureMap> maps, RigidTransform2 toPart) =>
-        (_path, _maps, _toPart) = (path, maps, toPart);
+    private PairEstimator(MatingJob job, NcPath path, IReadOnlyList<FeatureMap> maps) =>
+        (_job, _path, _maps, _toPart) = (job, path, maps, job.Counterpart.Frame.Inverse());
 
     /// <summary>The pair, after a prediction for a program.</summary>
+    /// <param name="job">The job.</param>
     /// <param name="path">The program before, interpreted.</param>
     /// <param name="maps">The features mapped onto it.</param>
     /// <param name="piece">The estimate of the measured piece.</param>
-    /// <param name="toPart">Transform from the program's frame to the part's.</param>
     /// <param name="cuts">The cuts of each run of the program to cut.</param>
     /// <returns>Null if the outline does not tell: fewer than two places, one direction of all normals, or several planes.</returns>
     public static PairAssembly? Of(
-        NcPath path, IReadOnlyList<FeatureMap> maps, PieceEstimate piece, RigidTransform2 toPart, Func<RunEstimate, RunPath> cuts)
+        MatingJob job, NcPath path, IReadOnlyList<FeatureMap> maps, PieceEstimate piece, Func<RunEstimate, RunPath> cuts)
     {
         if (maps.Select(m => m.Feature.Plane).Distinct().Count() > 1)
         {
             return null;
         }
 
-        var pair = new PairEstimator(path, maps, toPart);
+        var pair = new PairEstimator(job, path, maps);
         var compared = piece.Places();
         foreach (var run in compared.GroupBy(p => p.Run))
         {
@@ -67,6 +68,8 @@ internal sealed class PairEstimator
             Assembles = true,
             Probability = 1,
             Contacts = [.. seat.Contacts.Select(Contact)],
+            RoundCorners = [
+                .. InsideCorners.Of(_job, _path, _maps).Select(c => new PairCorner(BlockOf(c.Before), BlockOf(c.After), c.OverlapMm))],
             Play = seat.Play,
             Gaps = [
                 .. _places.Select((p, k) => (p, Mm: seat.GapsMm[k])).Where(g => g.p.IsBetween)
@@ -90,7 +93,9 @@ internal sealed class PairEstimator
     private PairContact Contact(int place) => new(
         _places[place].Place,
         _maps[_places[place].Feature].Feature.Name,
-        _path.Program.NameOf(_path.Program[_path.Motions[_places[place].Motion].Block]));
+        BlockOf(_places[place].Motion));
+
+    private string BlockOf(int motion) => _path.Program.NameOf(_path.Program[_path.Motions[motion].Block]);
 
     // A key point on an element says nothing of its own where the boundary between the points is compared: it is measured with an error,
     // which the estimate has smoothed. A cut at another depth makes the same boundary once more.
@@ -140,7 +145,7 @@ internal sealed class PairEstimator
         }
 
         var shape = WholeShape.Around(run, _path, pass);
-        _factors.Add(new(_places.Count, shape.Factor(shape.Places)));
+        _factors.Add(new(_places.Count, shape.FactorAround(_maps[feature].Feature.FormMm)));
         foreach (var (place, normal) in shape.Places)
         {
             var moved = place + (normal * shape.DeviationAt(place, normal));

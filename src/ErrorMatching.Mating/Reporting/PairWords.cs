@@ -13,6 +13,17 @@ public static class PairWords
     public static string Of(PairAssembly pair, IReadOnlyList<ToleranceBand>? limits = null)
     {
         ArgumentNullException.ThrowIfNull(pair);
+        var goesTogether = pair.Assembles || (limits is not null && pair.IsWithin(limits));
+        return Together(pair, limits) + (goesTogether && pair.RoundCorners.Count > 0 ? $" {RoundCorners(pair.RoundCorners)}" : "");
+    }
+
+    private static string RoundCorners(IReadOnlyList<PairCorner> corners) =>
+        $"It does so only if the part is rounded in the {(corners.Count == 1 ? "corner" : "corners")} of "
+            + $"{ReportNames.Of([.. corners.Select(c => $"{c.Before}/{c.After}")])}: a sharp one would overlap there by "
+            + $"{ReportNumber.Plain(corners.Max(c => c.OverlapMm))} mm.";
+
+    private static string Together(PairAssembly pair, IReadOnlyList<ToleranceBand>? limits)
+    {
         if (pair.TightestMm is not { } tightest)
         {
             return $"It goes together: the part can be lifted off. Pressed home, it rests on {Blocks(pair)}{LargestGap(pair)}.";

@@ -95,7 +95,7 @@ public static class VerifyRun
                 GapMm = map.Feature.GapMm,
             })]).ToArray();
         var piece = new CourseEstimator(job, path, maps, Decider.Decide(job, points), input.Theoretical).Measure(path);
-        return PairEstimator.Of(path, maps, piece, job.Counterpart.Frame.Inverse(), r => r.OnCuts(path));
+        return PairEstimator.Of(job, path, maps, piece, r => r.OnCuts(path));
     }
 
     private static VerifiedBoundary Boundary(VerifyInput input, NcPath path, FeatureMap map)

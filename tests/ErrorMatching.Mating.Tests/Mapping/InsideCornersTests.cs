@@ -17,6 +17,22 @@ public sealed class InsideCornersTests
         Assert.Equal(["N50", "N60", "3", "1.243", "0.241"], warning.Values);
     }
 
+    // The pair says so, too: with a sharp corner it overlaps by as much.
+    [Fact]
+    public void A_pair_goes_together_only_with_a_rounded_corner()
+    {
+        var pair = Report(Up, "1 10 0; 2 40 0; 3 50 10; 4 50 40").Pair!;
+        Assert.Equal(new("N50", "N60", 1.243), pair.RoundCorners.Select(c => c with { OverlapMm = Math.Round(c.OverlapMm, 3) }).Single());
+        const string Condition = "It does so only if the part is rounded in the corner of N50/N60: a sharp one would overlap there by "
+            + "1.243 mm.";
+        Assert.StartsWith("It goes together", PairWords.Of(pair), StringComparison.Ordinal);
+        Assert.EndsWith(Condition, PairWords.Of(pair), StringComparison.Ordinal);
+        Assert.DoesNotContain(
+            Condition, PairWords.Of(pair with { Assembles = false, TightestMm = -0.1 }), StringComparison.Ordinal);
+        Assert.DoesNotContain(
+            "rounded", PairWords.Of(Report(Up, "1 10 6; 2 40 6; 3 44 10; 4 44 40").Pair!), StringComparison.Ordinal);
+    }
+
     [Fact]
     public void An_outside_corner_is_cut_sharply() =>
         Assert.DoesNotContain(Report(Up, "1 10 6; 2 40 6; 3 44 10; 4 44 40").Warnings, w => w.Code == "inside-corner");

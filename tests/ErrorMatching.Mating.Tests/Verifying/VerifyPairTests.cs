@@ -40,7 +40,8 @@ public sealed class VerifyPairTests
     {
         var report = Report(0.03, 0.01, 0, 0);
         var sentence = VerifyWords.Of(report.Pair!, report);
-        Assert.StartsWith("It goes together (more than 99.9 %), with 0.02", sentence, StringComparison.Ordinal);
+        Assert.StartsWith("It goes together (more than 99.9 %), with 0.0", sentence, StringComparison.Ordinal);
+        Assert.Equal(0.02, report.Pair!.TightestMm!.Value, 5e-4);
 
         var json = VerifyReportJson.Write(report);
         Assert.True((bool)JsonNode.Parse(json)!["pair"]!["assembles"]!);
