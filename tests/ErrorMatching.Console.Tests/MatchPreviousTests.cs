@@ -52,6 +52,47 @@ public sealed class MatchPreviousTests
         Assert.Equal(3, third.GetProperty("lot").GetProperty("pieces").GetArrayLength());
     }
 
+    // While the first counterpart was measured, the second one was cut with the same nominal program, and the third one while the second one
+    // was measured.
+    [Fact]
+    public void Counterparts_may_be_measured_late()
+    {
+        using var folder = new TemporaryFolder();
+        var job = First(folder);
+        folder.File("second.csv", File.ReadAllText(folder["counterpart.csv"]) + "\n");
+        var second = Shell.Json(
+            0,
+            "errormatch/match/1",
+            "match", job, "--counterpart", folder["second.csv"], "--latest", folder["out/report.json"],
+            "--out", folder["second"], "--accept", "any");
+        Assert.Equal(2, Pieces(second));
+        Assert.Equal(
+            ["theoretical", "part", "counterpart", "program", "latest"],
+            second.GetProperty("inputs").EnumerateArray().Select(i => i.GetProperty("role").GetString()));
+        Assert.Contains("--latest", File.ReadAllText(folder["second/report.html"]), StringComparison.Ordinal);
+
+        string[] third = [
+            "match", job, "--counterpart", Next(folder, "out/report.json", "third.csv"), "--program", folder["out/counterpart.nc"],
+            "--previous", folder["out/report.json"], "--latest"];
+        var made = Shell.Json(0, "errormatch/match/1", [.. third, folder["second/report.json"], "--accept", "any"]);
+        Assert.Equal(3, Pieces(made));
+
+        // The third piece is what its own program corrects, and no more: the process that it shows is that of the first.
+        var pieces = made.GetProperty("lot").GetProperty("pieces");
+        Assert.NotEqual(0, pieces[2].GetProperty("correctionsUm")[0].GetDouble());
+        Assert.Equal(0, pieces[1].GetProperty("correctionsUm")[0].GetDouble());
+
+        folder.File("other.csv", File.ReadAllText(folder["counterpart.csv"]) + "\n\n");
+        Shell.Json(
+            0, "errormatch/match/1", "match", job, "--counterpart", folder["other.csv"], "--out", folder["other"], "--accept", "any");
+        Assert.Equal("other-lot", Shell.Error(1, [.. third, folder["other/report.json"]]).Text("code"));
+        Assert.Equal(
+            "previous-not-feedback",
+            Shell.Error(1, "match", Sample("job.json"), "--latest", folder["out/report.json"]).Text("code"));
+
+        static int Pieces(JsonElement match) => match.GetProperty("lot").GetProperty("pieces").GetArrayLength();
+    }
+
     [Fact]
     public void A_report_that_does_not_belong_to_the_counterpart_is_refused()
     {

@@ -63,16 +63,22 @@ internal sealed class SimulatedLot
         Enumerable.Range(0, count).Select(seed => new SimulatedLot(kind, 1000 + seed));
 
     /// <summary>What a filter expects that knows all but the noise: the variances, the piece of the step, the outliers.</summary>
-    public double[] ExpectedByTruth()
+    /// <param name="delay">Number of pieces that are cut before the one before them is measured.</param>
+    /// <param name="isMeasured">Whether a piece is measured; null if all are.</param>
+    public double[] ExpectedByTruth(int delay = 0, Func<int, bool>? isMeasured = null)
     {
         // The textbook's filter for the state (error, drift), in matrices written out.
         var expected = new double[Pieces];
         double x = 0, d = 0, xx = Start * Start, xd = 0, dd = Drift * Drift;
         for (var k = 0; k < Pieces; k++)
         {
-            expected[k] = x;
+            if (k == 0)
+            {
+                Array.Fill(expected, x, 0, delay + 1);
+            }
+
             xx += k == StepAt ? 100 : 0;
-            if (!IsOutlier[k])
+            if (!IsOutlier[k] && isMeasured?.Invoke(k) != false)
             {
                 var (s, off) = (xx + (U * U), Shown[k] - x);
                 var (gx, gd) = (xx / s, xd / s);
@@ -81,6 +87,11 @@ internal sealed class SimulatedLot
             }
 
             x += d;
+            if (k + 1 + delay < Pieces)
+            {
+                expected[k + 1 + delay] = x + (delay * d);
+            }
+
             (xx, xd) = (xx + (2 * xd) + dd + (Walk * Walk), xd + dd);
         }
 

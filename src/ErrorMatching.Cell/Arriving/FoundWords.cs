@@ -12,6 +12,9 @@ internal sealed class FoundWords
 
     public string? WorkOrder { get; private set; }
 
+    /// <summary>True if a pattern found the word for a changed tool.</summary>
+    public bool ToolChanged { get; private set; }
+
     /// <summary>Values from two places that differ, or a value that is not usable as a serial number or work order; null if nothing is
     /// wrong.</summary>
     public Statement? Contradiction { get; private set; }
@@ -20,6 +23,7 @@ internal sealed class FoundWords
     public void Add(Match match)
     {
         Serial = Joined(Serial, match.Groups[RecognitionReader.Serial], "serial number");
+        ToolChanged |= match.Groups[RecognitionReader.ToolChanged].Length > 0;
         WorkOrder = Joined(WorkOrder, match.Groups[RecognitionReader.WorkOrder], "work order");
     }
 

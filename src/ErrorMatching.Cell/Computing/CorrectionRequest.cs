@@ -28,6 +28,9 @@ public sealed record CorrectionRequest
     /// did.</summary>
     public StoredFile? Previous { get; init; }
 
+    /// <summary>If the job accumulates: true if the tool was changed before the measured piece was cut.</summary>
+    public bool ToolChanged { get; init; }
+
     /// <summary>Name of the program of the job's slot, by which a program of offsets can be called; null if it is not known.</summary>
     public string? SlotProgram { get; init; }
 

@@ -132,6 +132,7 @@ internal sealed class MatingCorrection
                 Counterpart = IsFeedback ? measured : null,
                 Program = Base,
                 Previous = IsFeedback && _request.Previous is { } previous ? new(previous.Name, previous.Bytes) : null,
+                ToolChanged = IsFeedback && _request is { Previous: not null, ToolChanged: true },
                 MayBeginAnew = true,
                 Gain = _policy.Gain,
                 OffsetsFile = _request.SlotProgram,

@@ -8,6 +8,7 @@ internal sealed class RecognitionReader(JsonItem item, CellProblems problems)
 {
     public const string Serial = "serial";
     public const string WorkOrder = "workOrder";
+    public const string ToolChanged = "toolChanged";
 
     /// <summary>True if a pattern captures the serial number.</summary>
     public bool HasSerial { get; private set; }
@@ -41,10 +42,13 @@ internal sealed class RecognitionReader(JsonItem item, CellProblems problems)
         {
             var groups = Expression(pattern.Text).GetGroupNames().Where(n => !char.IsAsciiDigit(n[0])).ToArray();
             HasSerial |= groups.Contains(Serial);
-            foreach (var group in groups.Where(g => g is not (Serial or WorkOrder)))
+            foreach (var group in groups.Where(g => g is not (Serial or WorkOrder or ToolChanged)))
             {
                 problems.Refuse(
-                    pattern, "unknown-group", $"the group \"{group}\"", $"{Serial} or {WorkOrder}, or a group without a name: (...)");
+                    pattern,
+                    "unknown-group",
+                    $"the group \"{group}\"",
+                    $"{Serial}, {WorkOrder} or {ToolChanged}, or a group without a name: (...)");
             }
         }
         catch (Exception e) when (e is ArgumentException or NotSupportedException)

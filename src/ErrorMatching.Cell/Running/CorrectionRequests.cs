@@ -30,10 +30,16 @@ internal static class CorrectionRequests
             : ReportOf(
                 flow.Store,
                 job.IsFreeform ? CutProgram.Of(flow.Store, correction).By : CutProgram.Before(flow.Store, correction)),
+        ToolChanged = job.Accumulates && ChangesTool(flow, correction, job, measurement),
         SlotProgram = flow.Settings.Machines.FirstOrDefault(m => m.Name == job.Machine)?.Slots
                 .FirstOrDefault(s => s.Name == job.Slot)?.Program,
         Identity = correction.Identity,
     };
+
+    // As the patterns say that made the file this job's.
+    private static bool ChangesTool(CellFlow flow, Correction correction, CellJobSettings job, byte[] measurement) => new JobPatterns(job)
+        .Match(new(correction.FileName, measurement, flow.Settings.Gauges.FirstOrDefault(g => g.Name == correction.Gauge)?.Format))
+        is { ToolChanged: true };
 
     // Until someone records whether the piece was cut before or after the last program was sent, that program may have cut it.
     private static StoredFile? LastSent(CellStore store, Correction correction)

@@ -21,7 +21,12 @@ public sealed record MatingRequest
     /// none.</summary>
     public GivenFile? Previous { get; init; }
 
-    /// <summary>True if the tool was changed before the measured counterpart was cut; only with <see cref="Previous"/>.</summary>
+    /// <summary>In feedback, the report of the last match of the lot, if other counterparts were measured since
+    /// <see cref="Previous"/>.</summary>
+    public GivenFile? Latest { get; init; }
+
+    /// <summary>True if the tool was changed before the measured counterpart was cut; only with <see cref="Previous"/> or
+    /// <see cref="Latest"/>.</summary>
     public bool ToolChanged { get; init; }
 
     /// <summary>True to begin a new lot where <see cref="Previous"/> has other key points or none, because a job was changed or the report

@@ -41,6 +41,7 @@ public static class MatingRun
                 {
                     OwnDialect = dialect,
                     Previous = previous,
+                    Latest = Latest(request, job, theoretical, previous),
                     ToolChanged = request.ToolChanged,
                     Library = called.Find,
                     OffsetsFile = request.OffsetsFile,
@@ -85,7 +86,7 @@ public static class MatingRun
     {
         if (request.Previous is not { } given)
         {
-            return !request.ToolChanged ? default
+            return !request.ToolChanged || request.Latest is not null ? default
                 : throw new InputException(Refusal.Of(
                     "tool-changed-alone",
                     "a changed tool, but no match before it",
@@ -93,15 +94,7 @@ public static class MatingRun
                     new() { File = job.File }));
         }
 
-        if (job.Compensation.From != CompensationSource.Counterpart)
-        {
-            throw new InputException(Refusal.Of(
-                "previous-not-feedback",
-                "a previous report for a job that follows the measured part, whose program starts from the nominal one each time",
-                "a job with \"from\": \"counterpart\" in its compensation",
-                new() { File = job.File }));
-        }
-
+        ThrowIfNotFeedback(job);
         try
         {
             return (PreviousMatchReport.Of(given, job, theoretical, program), null);
@@ -110,6 +103,38 @@ public static class MatingRun
             request.MayBeginAnew && e.Code is PreviousMatchReport.LotMissing or PreviousMatchReport.OtherPoints)
         {
             return (null, $"The pieces before do not count, and a new lot begins: {e.Message}");
+        }
+    }
+
+    // The last match of the lot. It knows the counterpart that the program of this one followed, unless that was a nominal one.
+    private static PreviousMatch? Latest(
+        MatingRequest request, MatingJob job, MeasurementFile theoretical, PreviousMatch? previous)
+    {
+        if (request.Latest is not { } given)
+        {
+            return null;
+        }
+
+        ThrowIfNotFeedback(job);
+        var latest = PreviousMatchReport.Of(given, job, theoretical, null);
+        return previous is null || latest.Pieces.Pieces.Any(p => p.MeasuredSha256 == previous.Pieces.Pieces[^1].MeasuredSha256)
+            ? latest
+            : throw new InputException(Refusal.Of(
+                "other-lot",
+                "a report that does not know the counterpart that the program of this one followed",
+                $"the report of the last match of the lot, which goes on from {previous.File}",
+                new() { File = given.File, Path = "$.lot" }));
+    }
+
+    private static void ThrowIfNotFeedback(MatingJob job)
+    {
+        if (job.Compensation.From != CompensationSource.Counterpart)
+        {
+            throw new InputException(Refusal.Of(
+                "previous-not-feedback",
+                "a previous report for a job that follows the measured part, whose program starts from the nominal one each time",
+                "a job with \"from\": \"counterpart\" in its compensation",
+                new() { File = job.File }));
         }
     }
 

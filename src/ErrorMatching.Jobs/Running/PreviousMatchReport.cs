@@ -20,10 +20,11 @@ internal static class PreviousMatchReport
     /// <param name="given">The report.</param>
     /// <param name="job">The job, which must have the same key points.</param>
     /// <param name="theoretical">The key points as designed, which must be the same.</param>
-    /// <param name="program">The program that cut the counterpart, which the report must be about.</param>
+    /// <param name="program">The program that cut the counterpart, which the report must be about; null if it may be about another
+    /// one.</param>
     /// <exception cref="InputException">It cannot be opened, it is no report of a match with a lot, or it does not belong to these
     /// inputs.</exception>
-    public static PreviousMatch Of(GivenFile given, MatingJob job, MeasurementFile theoretical, NcProgram program)
+    public static PreviousMatch Of(GivenFile given, MatingJob job, MeasurementFile theoretical, NcProgram? program)
     {
         var bytes = given.Bytes ?? InputFile.Bytes(given.File, PreviousReport.MaxBytes);
         var report = ReportReader.Document(bytes.Span, given.File);
@@ -47,7 +48,7 @@ internal static class PreviousMatchReport
                 "a report with the key points of this job; all counterparts of a lot have the same, so begin a new lot without it");
         }
 
-        return Made(report, pieces, program)
+        return program is null || Made(report, pieces, program)
             ? new(given.File, Sha256(bytes), pieces) { Offsets = MatchReportJson.OffsetsOf(report) }
             : throw report.Refusal("program", "other-program", "the report of the program that cut this counterpart");
     }

@@ -28,6 +28,10 @@ public sealed record MatchInput(
     /// did.</summary>
     public PreviousMatch? Previous { get; init; }
 
+    /// <summary>In feedback, the last match of the lot, if other counterparts were measured between <see cref="Previous"/> and this one;
+    /// otherwise null.</summary>
+    public PreviousMatch? Latest { get; init; }
+
     /// <summary>True if the tool was changed before the measured counterpart was cut: the process may have moved.</summary>
     public bool ToolChanged { get; init; }
 

@@ -110,6 +110,11 @@ public static class MatchReporter
             inputs.Add(new("previous", previous.File, previous.Sha256));
         }
 
+        if (input.Latest is { } latest)
+        {
+            inputs.Add(new("latest", latest.File, latest.Sha256));
+        }
+
         inputs.AddRange(input.OwnDialect?.Files.Select(f => new ReportInput("dialect", f.File, f.Sha256)) ?? []);
         return inputs;
     }

@@ -22,9 +22,10 @@ public sealed record Lot(
     /// <summary>Estimates the error of the next piece.</summary>
     /// <param name="pieces">The pieces in the order of cutting, at least one, with at least one point.</param>
     /// <param name="uncertaintyMm">Standard uncertainty of one measured point, more than 0.</param>
+    /// <param name="ahead">Number of pieces that are cut before it, and not measured yet.</param>
     /// <exception cref="ArgumentException">There is no piece or no point, or the pieces have different numbers of points.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The uncertainty is not a positive number.</exception>
-    public static Lot Of(IReadOnlyList<LotPiece> pieces, double uncertaintyMm)
+    public static Lot Of(IReadOnlyList<LotPiece> pieces, double uncertaintyMm, int ahead = 0)
     {
         ArgumentNullException.ThrowIfNull(pieces);
         if (!(uncertaintyMm > 0) || double.IsInfinity(uncertaintyMm))
@@ -52,6 +53,8 @@ public sealed record Lot(
             shape?.Add([.. values.Select(v => v - level)], piece.IsAfterToolChange);
         }
 
+        mean.GoOn(ahead);
+        shape?.GoOn(ahead);
         return new(
             [.. Enumerable.Range(0, points).Select(i => mean.Expected[0] + (shape?.Expected[i] ?? 0))],
             [.. Enumerable.Range(0, points).Select(i => Math.Sqrt(mean.VarianceAt(0) + (shape?.VarianceAt(i) ?? 0)))],

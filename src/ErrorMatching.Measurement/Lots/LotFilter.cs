@@ -85,6 +85,18 @@ internal sealed class LotFilter
         Conclude(values.Length);
     }
 
+    /// <summary>Lets the process go on while pieces are cut that are not measured.</summary>
+    /// <param name="pieces">Their number.</param>
+    public void GoOn(int pieces)
+    {
+        for (var k = 0; k < pieces; k++)
+        {
+            _histories = [.. _histories.Select(h => h.OnePieceOn())];
+        }
+
+        Conclude(Expected.Length);
+    }
+
     /// <summary>Probability that something happened at a piece, from 0.</summary>
     public double Probability(int piece, LotEvent happened) =>
         _histories.Zip(Weights(), (h, w) => h.Events[piece] == happened ? w : 0).Sum();

@@ -100,8 +100,8 @@ internal sealed class LotHistory
             }
 
             // Corrected by the piece, then one piece ahead.
-            (error, both, drift) = (error - (ofError * error), both - (ofError * both), drift - (ofDrift * both));
-            variances[k] = (error + (2 * both) + drift + _models[m].Walk, both + drift, drift);
+            variances[k] = OnePieceOn(
+                (error - (ofError * error), both - (ofError * both), drift - (ofDrift * both)), _models[m].Walk);
         }
 
         return new([.. kept.Select(m => _models[m])], [.. kept.Select(m => evidence.Logs[m] - evidence.Log)], variances, errors, drifts)
@@ -110,6 +110,21 @@ internal sealed class LotHistory
             Events = [.. Events, evidence.Surprise.Happened],
         };
     }
+
+    /// <summary>The history one piece later that is not measured.</summary>
+    public LotHistory OnePieceOn() => new(
+        _models,
+        _logs,
+        [.. _variances.Select((v, m) => OnePieceOn(v, _models[m].Walk))],
+        [.. _errors.Zip(_drifts, (error, drift) => error + drift)],
+        _drifts)
+    {
+        LogWeight = LogWeight,
+        Events = Events,
+    };
+
+    private static (double Error, double Both, double Drift) OnePieceOn((double Error, double Both, double Drift) v, double walk) =>
+        (v.Error + (2 * v.Both) + v.Drift + walk, v.Both + v.Drift, v.Drift);
 
     /// <summary>Adds the expected errors of the next piece, and their squares with their variance.</summary>
     /// <param name="weight">The probability of this history.</param>

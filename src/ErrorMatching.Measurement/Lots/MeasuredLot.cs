@@ -59,10 +59,11 @@ public sealed record MeasuredLot(IReadOnlyList<string> Points, IReadOnlyList<Rec
     /// <summary>What the pieces say about the next one.</summary>
     /// <param name="uncertaintyMm">Stated standard uncertainty of one measured point; the noise that the pieces show counts if it is
     /// larger.</param>
-    public Lot Estimate(double uncertaintyMm)
+    /// <param name="ahead">Number of pieces that are cut before it, and not measured yet.</param>
+    public Lot Estimate(double uncertaintyMm, int ahead = 0)
     {
         // The median: a single piece that is off must not pass for noise.
         var noise = Pieces.Select(p => p.NoiseMm).Order().ElementAt((Pieces.Count - 1) / 2);
-        return Lot.Of([.. Pieces.Select(p => p.Values)], Math.Max(Math.Max(uncertaintyMm, noise), LeastUncertaintyMm));
+        return Lot.Of([.. Pieces.Select(p => p.Values)], Math.Max(Math.Max(uncertaintyMm, noise), LeastUncertaintyMm), ahead);
     }
 }

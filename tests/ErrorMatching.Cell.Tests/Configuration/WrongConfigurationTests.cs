@@ -276,7 +276,7 @@ public sealed class WrongConfigurationTests : IDisposable
         { "\"^cover\"", "\"^(cover\"", 24, "$.jobs[2].recognize.fileName", "bad-pattern", "look-around" },
         { "\"^cover\"", "\"(?=cover)\"", 24, "$.jobs[2].recognize.fileName", "bad-pattern", "look-around" },
         { "\"^cover\"", "\"(.)\\\\1\"", 24, "$.jobs[2].recognize.fileName", "bad-pattern", "back references" },
-        { "\"^cover\"", "\"^(?<serail>C)\"", 24, "$.jobs[2].recognize.fileName", "unknown-group", "serial or workOrder" },
+        { "\"^cover\"", "\"^(?<serail>C)\"", 24, "$.jobs[2].recognize.fileName", "unknown-group", "serial, workOrder or toolChanged" },
         {
             "{ \"name\": \"serial\", \"pattern\": \"^(?<serial>C[0-9]+)$\" }",
             "{ \"name\": \"serial\" }",

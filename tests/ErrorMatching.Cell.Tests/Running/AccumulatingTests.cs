@@ -45,12 +45,38 @@ public sealed class AccumulatingTests
         Assert.Equal(outlier.ProgramSha256, second.BaseSha256);
 
         // At a point that no corner is near, the sum has grown by what the first counterpart was off: (0.2325, 0.2965) in the sample.
-        var (once, twice) = (SumsOf(first), SumsOf(second));
-        var grown = twice.Points.Single(p => p.Point == "3b").LengthMm - once.Points.Single(p => p.Point == "3b").LengthMm;
-        Assert.Equal(0.3768, grown, 0.003);
+        var (once, twice) = (SumsOf(feedback, first), SumsOf(feedback, second));
+        Assert.Equal(0.3768, At3b(twice) - At3b(once), 0.003);
         Assert.InRange(twice.Largest!.LengthMm, 0.2, second.SumMm!.Value);
+        Assert.InRange(At3b(SumsOf(feedback, outlier)) - At3b(once), -0.04, 0.04);
+    }
 
-        CorrectionSums SumsOf(Correction correction) => CorrectionSums.FromJson(feedback.Store.Content(correction.SumsSha256!));
+    private static CorrectionSums SumsOf(FeedbackCell cell, Correction correction) =>
+        CorrectionSums.FromJson(cell.Store.Content(correction.SumsSha256!));
+
+    private static double At3b(CorrectionSums sums) => sums.Points.Single(p => p.Point == "3b").LengthMm;
+
+    // Without the word in its name, the same piece hardly counts (above).
+    [Fact]
+    public async Task A_changed_tool_is_believed_at_once_if_the_file_says_so()
+    {
+        await using var cell = new RunningCell();
+        await using var feedback = new FeedbackCell(cell);
+        feedback.Start();
+        cell.Drop("f_part.csv", 0);
+        await feedback.Until(1, CorrectionState.Recorded);
+        cell.DropText("f_cp_1.csv", Counterpart);
+        var first = await feedback.Until(2, CorrectionState.Verified);
+        new CorrectionDecisions(feedback.Store).Release(2, "olga", null);
+        cell.DropText("f_cp_2_new-tool.csv", NextCounterpart.Of(feedback.Store.Content(first.ReportSha256!), 2, 1));
+        var second = await feedback.Until(3, CorrectionState.Proposed);
+        var (once, twice) = (SumsOf(feedback, first), SumsOf(feedback, second));
+        Assert.Equal(0.3768, At3b(twice) - At3b(once), 0.04);
+        using var report = JsonDocument.Parse(feedback.Store.Content(second.ReportSha256!));
+        var pieces = report.RootElement.GetProperty("lot").GetProperty("pieces");
+        Assert.Equal(
+            [false, true],
+            pieces.EnumerateArray().Select(p => p.TryGetProperty("toolChanged", out var changed) && changed.GetBoolean()));
     }
 
     [Fact]
@@ -142,7 +168,7 @@ public sealed class AccumulatingTests
                   "kind": "cell", "name": "Feedback", "store": { "kind": "sqlite", "file": "feedback.db" }, "keys": "keys", "logs": "logs",
                   "gauges": [{ "name": "cmm", "incoming": "incoming", "files": "*.csv", "format": "points", "finished": "rename", "everyMs": 20 }],
                   "machines": [{ "name": "m1", "dialect": "{{(isSurface ? "siemens-840d" : "delta-nc300")}}", "transport": { "kind": "folder", "folder": "m1" }, "slots": [{ "name": "A", "program": "{{(isSurface ? "P1.MPF" : "P1.NC")}}" }] }],
-                  "jobs": [{ "name": "f", "job": "job/feedback.json", "gauges": ["cmm"], "recognize": { "fileName": "^f_" }, "machine": "m1", "slot": "A", "accumulates": true }],
+                  "jobs": [{ "name": "f", "job": "job/feedback.json", "gauges": ["cmm"], "recognize": { "fileName": "^f_(cp_[0-9]+(?<toolChanged>_new-tool)?)?" }, "machine": "m1", "slot": "A", "accumulates": true }],
                   "policy": { "approve": "automatic", "sumLimitMm": {{sumLimitMm}} }
                 }
                 """)),

@@ -4,33 +4,55 @@ namespace ErrorMatching.Mating.Tests;
 
 /// <summary>Counterparts cut and measured one after the other, each by the program that the match of the one before it made. The boundary
 /// is a line of five points that the tool follows above; the part is as designed unless it says otherwise.</summary>
-internal sealed class CounterpartSeries(double uncertaintyMm, bool goesOn = true)
+/// <param name="uncertaintyMm">The gauge's.</param>
+/// <param name="goesOn">True if each match knows those before it.</param>
+/// <param name="delay">Number of counterparts that are cut before the one before them is measured.</param>
+internal sealed class CounterpartSeries(double uncertaintyMm, bool goesOn = true, int delay = 0)
 {
-    private string _program = Programs.ToolAbove;
-    private PreviousMatch? _previous;
+    private readonly List<(string Program, PreviousMatch? Match, double Mm)> _made = [(Programs.ToolAbove, null, 0)];
 
     /// <summary>Where the points are along the line.</summary>
     public static IReadOnlyList<double> Places { get; } = [5, 15, 25, 35, 45];
 
     /// <summary>Where the program for the next counterpart has the middle of the line, mm.</summary>
-    public double NowMm { get; private set; }
+    public double NowMm => By(0).Mm;
+
+    // What cuts a counterpart that many after the next one to be measured.
+    private (string Program, PreviousMatch? Match, double Mm) By(int after) => _made[Math.Max(0, _made.Count - 1 - delay + after)];
 
     /// <summary>Measures the next counterpart and matches the program to it.</summary>
     /// <param name="heights">Where its points are.</param>
     /// <param name="toolChanged">True if the tool was changed before it.</param>
-    public MatchResult Measure(Func<int, double> heights, bool toolChanged = false)
+    /// <param name="isAgain">True to measure it once more: the program does not change before the next one is cut.</param>
+    public MatchResult Measure(Func<int, double> heights, bool toolChanged = false, bool isAgain = false)
     {
-        var input = Case(Line(heights), _program, uncertaintyMm).Input;
-        var outcome = Matcher.Match(input with { Previous = goesOn ? _previous : null, ToolChanged = toolChanged });
+        var by = By(isAgain ? -1 : 0);
+        var input = Case(Line(heights), by.Program, uncertaintyMm).Input;
+        var outcome = Matcher.Match(input with
+        {
+            Previous = goesOn ? by.Match : null,
+            Latest = goesOn && (delay > 0 || isAgain) ? _made[^1].Match : null,
+            ToolChanged = toolChanged,
+        });
         Assert.True(outcome.Result is not null, string.Join('\n', outcome.Refusals));
         var match = outcome.Result;
-        (_program, _previous) = (Encoding.Latin1.GetString(match.Program.Span), new("report.json", "", match.Lot!.Pieces));
 
         // From the words of the program.
         var line = match.After.Motions[match.Maps[0].Passes[0].Feet[2].Motion];
-        NowMm = ((line.Start.Y + line.End.Y) / 2) - 3;
+        if (isAgain)
+        {
+            _made.RemoveAt(_made.Count - 1);
+        }
+
+        _made.Add((
+            Encoding.Latin1.GetString(match.Program.Span),
+            new("report.json", "", match.Lot!.Pieces),
+            ((line.Start.Y + line.End.Y) / 2) - 3));
         return match;
     }
+
+    /// <summary>Cuts a counterpart that nobody measures.</summary>
+    public void Skip() => _made.Add(_made[^1]);
 
     /// <summary>The points of a line.</summary>
     public static string Line(Func<int, double> heights) =>

@@ -21,11 +21,42 @@ public sealed class LotThroughMatchTests(ITestOutputHelper output)
     [InlineData("noise", 1.05)]
     public void The_squared_errors_are_near_those_of_a_filter_that_knows(string kind, double most)
     {
+        AssertNear(
+            kind, most, lot => Corrections(lot), lot => kind == "noise" ? new double[SimulatedLot.Pieces] : lot.ExpectedByTruth());
+    }
+
+    // While one piece is measured, the next ones are cut with the program that there is.
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(3)]
+    public void Pieces_may_be_measured_late(int delay)
+    {
+        foreach (var kind in new[] { "drift", "repeating", "walk", "outliers", "step" }.Take(Depth.Of(1, 5)))
+        {
+            AssertNear(kind, kind == "step" ? 1.3 : 1.15, lot => Corrections(lot, delay), lot => lot.ExpectedByTruth(delay));
+        }
+    }
+
+    // Of every five pieces one is not measured; of every three one is measured twice: the gauge repeats to a third of what pieces scatter.
+    [Fact]
+    public void Pieces_may_be_left_out_and_measured_twice()
+    {
+        foreach (var kind in new[] { "drift", "repeating", "walk", "outliers" }.Take(Depth.Of(1, 4)))
+        {
+            AssertNear(
+                kind, 1.15, lot => Corrections(lot, isMeasured: k => k % 5 != 4), lot => lot.ExpectedByTruth(isMeasured: k => k % 5 != 4));
+            AssertNear(kind, 1.15, lot => Corrections(lot, isTwice: k => k % 3 == 0), lot => lot.ExpectedByTruth());
+        }
+    }
+
+    private void AssertNear(string kind, double most, Func<SimulatedLot, double[]> corrections, Func<SimulatedLot, double[]> truth)
+    {
         var (cost, known) = (0.0, 0.0);
         foreach (var lot in SimulatedLot.Many(kind, Lots))
         {
-            cost += lot.Cost(Corrections(lot));
-            known += lot.Cost(kind == "noise" ? new double[SimulatedLot.Pieces] : lot.ExpectedByTruth());
+            cost += lot.Cost(corrections(lot));
+            known += lot.Cost(truth(lot));
         }
 
         output.WriteLine($"{kind}: {cost / known:0.000} times the squares of the filter that knows");
@@ -33,14 +64,28 @@ public sealed class LotThroughMatchTests(ITestOutputHelper output)
     }
 
     // What the program corrects at each piece, in micrometers. The machine scatters from piece to piece, and so all points alike.
-    private static double[] Corrections(SimulatedLot lot)
+    private static double[] Corrections(
+        SimulatedLot lot, int delay = 0, Func<int, bool>? isMeasured = null, Func<int, bool>? isTwice = null)
     {
-        var series = new CounterpartSeries(SimulatedLot.U / 1000);
+        var series = new CounterpartSeries(SimulatedLot.U / 1000, delay: delay);
         var corrected = new double[SimulatedLot.Pieces];
+        var random = new Random(1);
         for (var k = 0; k < corrected.Length; k++)
         {
-            corrected[k] = -1000 * series.NowMm;
-            series.Measure(_ => (lot.Shown[k] / 1000) + series.NowMm);
+            var at = series.NowMm;
+            corrected[k] = -1000 * at;
+            if (isMeasured?.Invoke(k) == false)
+            {
+                series.Skip();
+                continue;
+            }
+
+            series.Measure(_ => (lot.Shown[k] / 1000) + at);
+            if (isTwice?.Invoke(k) == true)
+            {
+                var off = (random.NextDouble() - 0.5) * SimulatedLot.U / 1000;
+                series.Measure(_ => (lot.Shown[k] / 1000) + at + off, isAgain: true);
+            }
         }
 
         return corrected;

@@ -19,9 +19,16 @@ internal sealed class MatchVerb : Verb
         HelpName = "REPORT",
     };
 
+    private readonly Option<string> _latest = new("--latest")
+    {
+        Description = "In feedback, the report.json of the last match, if other counterparts were measured since the program of this one "
+            + "was made: they count, too.",
+        HelpName = "REPORT",
+    };
+
     private readonly Option<bool> _toolChanged = new("--tool-changed")
     {
-        Description = "With --previous: the tool was changed before the measured counterpart was cut, so what it shows is believed at "
+        Description = "With --previous or --latest: the tool was changed before the measured counterpart was cut, so what it shows is believed at "
             + "once.",
     };
 
@@ -46,6 +53,7 @@ internal sealed class MatchVerb : Verb
         Options.Add(_counterpart);
         Options.Add(_program);
         Options.Add(_previous);
+        Options.Add(_latest);
         Options.Add(_toolChanged);
         Options.Add(_assume.Option);
         Options.Add(_out);
@@ -69,6 +77,7 @@ internal sealed class MatchVerb : Verb
                 Counterpart = GivenMeasurement(arguments.GetValue(_counterpart)),
                 Program = GivenFile.At(arguments.GetValue(_program)),
                 Previous = GivenFile.At(arguments.GetValue(_previous)),
+                Latest = GivenFile.At(arguments.GetValue(_latest)),
                 ToolChanged = arguments.GetValue(_toolChanged),
                 Assumed = _assume.Of(arguments),
                 Folder = folder,

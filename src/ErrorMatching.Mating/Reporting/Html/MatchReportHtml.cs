@@ -47,7 +47,7 @@ public static class MatchReportHtml
                         ("--part", "part"),
                         ("--counterpart", "counterpart"),
                         ("--program", "program"),
-                        ("--previous", "previous"))),
+                        ("--previous", "previous"), ("--latest", "latest"))),
                 new("paper", "As in the paper", html => MatchAsInPaper.Write(html, report)),
             ],
             html => MatchLead.Write(html, report));
