@@ -1,17 +1,30 @@
-// The main job in ten lines: MainJob JOB FOLDER writes the counterpart's new program and its report, or says why there is none.
+// The main job: MainJob JOB FOLDER writes the report and, if its verdict says to cut it, the counterpart's new program.
 using ErrorMatching.Jobs;
+using ErrorMatching.Mating;
+using ErrorMatching.Refusals;
 
-var files = new JobFiles(args[0]);
-var outcome = MatingRun.Of(files, new(), CancellationToken.None);
-if (outcome.Result is not { } matched)
+try
 {
-    foreach (var refusal in outcome.Refusals) Console.Error.WriteLine($"{refusal.Code}: {refusal.Message}");
-    return 3;
-}
+    var files = new JobFiles(args[0]);
+    var outcome = MatingRun.Of(files);
+    if (outcome.Result is not { } matched)
+    {
+        // The inputs can be read, but no program can be made from them.
+        foreach (var refusal in outcome.Refusals)
+        {
+            Console.Error.WriteLine($"{refusal.Code}: {refusal.Message}");
+        }
 
-OutputFile.WriteAll(
-    [(Path.Combine(args[1], matched.Name), matched.Program), (Path.Combine(args[1], "report.html"), matched.ReportHtml())],
-    files.Read,
-    CancellationToken.None);
-Console.WriteLine($"The proof {(matched.Report.Proof.Holds ? "holds" : "fails")}: {matched.Name}");
-return 0;
+        return 2;
+    }
+
+    OutputFile.WriteAll(matched.FilesIn(args[1]), files.Read);
+    Console.WriteLine(VerdictWords.Of(matched.Report.Verdict));
+    return matched.Report.Verdict.IsToCut ? 0 : 2;
+}
+catch (Exception e) when (e is InputException or OutputException)
+{
+    // A file cannot be read, or a result cannot be written: the message names the place and what is expected.
+    Console.Error.WriteLine(e.Message);
+    return 1;
+}

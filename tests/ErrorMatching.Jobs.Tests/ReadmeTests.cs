@@ -1,3 +1,4 @@
+using ErrorMatching.Mating;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Jobs.Tests;
@@ -12,9 +13,11 @@ public sealed class ReadmeTests
         var (job, folder) = (Repository.PathTo("samples", "complex-mating", "job.json"), temporary.Path);
         var bytes = File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "part.csv"));
 
+        // The example is a program's, which needs no token.
+#pragma warning disable xUnit1051
         // example
         var files = new JobFiles(job); // the path of a mating job
-        var outcome = MatingRun.Of(files, new() { Part = new("part-4711.csv", bytes) }, CancellationToken.None);
+        var outcome = MatingRun.Of(files, new() { Part = new("part-4711.csv", bytes) });
         foreach (var refusal in outcome.Refusals)
         {
             Console.WriteLine($"{refusal.Code}: {refusal.Message}"); // why there is no program
@@ -22,17 +25,13 @@ public sealed class ReadmeTests
 
         if (outcome.Result is { } matched)
         {
-            OutputFile.WriteAll(
-                [
-                    (Path.Combine(folder, "report.json"), matched.ReportJson()),
-                    (Path.Combine(folder, "report.html"), matched.ReportHtml()),
-                    (Path.Combine(folder, matched.Name), matched.Program),
-                ],
-                files.Read, // none of what was read is ever replaced
-                CancellationToken.None); // all of them appear, or none
+            // Both reports, and the program if the verdict says to cut it: all of them appear, or none. No file that was read is replaced.
+            OutputFile.WriteAll(matched.FilesIn(folder), files.Read);
+            Console.WriteLine(VerdictWords.Of(matched.Report.Verdict)); // "16 of 16 points will be within ..."
         }
 
         // example
+#pragma warning restore xUnit1051
         Assert.Equal(
             ["counterpart.nc", "report.html", "report.json"],
             Directory.GetFiles(folder).Select(Path.GetFileName).Order(StringComparer.Ordinal));

@@ -1,3 +1,4 @@
+using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Reporting;
 
@@ -38,6 +39,32 @@ public sealed record MatchedProgram(MatchResult Match, MatchReport Report)
                     : report.Correction,
             },
         };
+    }
+
+    /// <summary>The files of a folder: both reports, then the program, and before it that of the offsets if there is one. Without the
+    /// programs if the verdict says not to cut and is not accepted. The program is last: if it exists, so does its report.</summary>
+    /// <param name="folder">The folder.</param>
+    /// <param name="accepted">The codes of verdicts that are accepted, or <see cref="Acceptance.Any"/>; none if null.</param>
+    public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> FilesIn(string folder, IReadOnlyCollection<string>? accepted = null)
+    {
+        var obedient = Obey(accepted ?? []);
+        var files = new List<(string Path, ReadOnlyMemory<byte> Bytes)>
+        {
+            (PathText.In(folder, "report.json"), obedient.ReportJson()),
+            (PathText.In(folder, "report.html"), obedient.ReportHtml()),
+        };
+        if (obedient.Report.Acceptance.IsWithheld)
+        {
+            return files;
+        }
+
+        if (Match.Correction?.Program is { } offsets)
+        {
+            files.Add((PathText.In(folder, Path.GetFileName(Report.Correction!.File!)), offsets));
+        }
+
+        files.Add((PathText.In(folder, Name), Program));
+        return files;
     }
 
     /// <summary>The report as <c>report.json</c>.</summary>

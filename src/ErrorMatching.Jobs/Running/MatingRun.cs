@@ -13,17 +13,17 @@ public static class MatingRun
 {
     /// <summary>Runs a job.</summary>
     /// <param name="files">The job's files.</param>
-    /// <param name="request">The other inputs.</param>
+    /// <param name="request">The other inputs; null for the job's own.</param>
     /// <param name="cancellation">Checked between reading and calculating.</param>
     /// <exception cref="InputException">A file cannot be opened. A measurement cannot be used. A measurement is of the other piece.
     /// The job's own dialect cannot be used. The dialect, a selector or the program cannot be read. The measured points determine
     /// no solution.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The gain is out of range.</exception>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
-    public static Outcome<MatchedProgram> Of(JobFiles files, MatingRequest request, CancellationToken cancellation)
+    public static Outcome<MatchedProgram> Of(JobFiles files, MatingRequest? request = null, CancellationToken cancellation = default)
     {
         ArgumentNullException.ThrowIfNull(files);
-        ArgumentNullException.ThrowIfNull(request);
+        request ??= new();
         var job = WithGain(files.Job, request.Gain);
         job = job with { Counterpart = job.Counterpart with { Assumed = job.Counterpart.Assumed.With(request.Assumed) } };
         var (theoretical, part) = (files.Theoretical(request.Theoretical), files.Part(request.Part));

@@ -39,7 +39,7 @@ public static class OutputFile
     public static void WriteAll(
         IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files,
         IReadOnlyCollection<string> inputs,
-        CancellationToken cancellation) =>
+        CancellationToken cancellation = default) =>
         WriteAll(files, inputs, () => true, cancellation);
 
     /// <summary>Writes files that belong together, then asks whether they may appear: either all do, in this order, or none does.</summary>

@@ -23,7 +23,7 @@ internal sealed class CounterpartSeries(double uncertaintyMm, bool goesOn = true
     /// <summary>Measures the next counterpart and matches the program to it.</summary>
     /// <param name="heights">Where its points are.</param>
     /// <param name="toolChanged">True if the tool was changed before it.</param>
-    /// <param name="isAgain">True to measure it once more: the program does not change before the next one is cut.</param>
+    /// <param name="isAgain">True to measure the last one once more: the new measurement takes the place of the old.</param>
     public MatchResult Measure(Func<int, double> heights, bool toolChanged = false, bool isAgain = false)
     {
         var by = By(isAgain ? -1 : 0);
@@ -31,7 +31,7 @@ internal sealed class CounterpartSeries(double uncertaintyMm, bool goesOn = true
         var outcome = Matcher.Match(input with
         {
             Previous = goesOn ? by.Match : null,
-            Latest = goesOn && (delay > 0 || isAgain) ? _made[^1].Match : null,
+            Latest = goesOn && delay > 0 ? _made[isAgain ? ^2 : ^1].Match : null,
             ToolChanged = toolChanged,
         });
         Assert.True(outcome.Result is not null, string.Join('\n', outcome.Refusals));

@@ -21,22 +21,6 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder, Failur
 
     public override byte[] ToJson() => OutcomeWriter.WithErrors(_json, Failure);
 
-    /// <summary>The files to write. The program is last: if it exists, so does its report.</summary>
-    public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files =>
-        [
-            (In("report.json"), _json),
-            (In("report.html"), matched.ReportHtml()),
-            .. _report.Acceptance.IsWithheld ? [] : Programs,
-        ];
-
-    private IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Programs =>
-        [
-            .. matched.Match.Correction?.Program is { } offsets
-                ? ((string, ReadOnlyMemory<byte>)[])[(_report.Correction!.File!, offsets)]
-                : [],
-            (_report.Program.File, matched.Program),
-        ];
-
     public override void WriteText(Page page)
     {
         WriteVerdict(page);

@@ -89,7 +89,8 @@ internal sealed class MatchVerb : Verb
             return new Failure(ExitCode.Refused, outcome.Refusals);
         }
 
-        var obedient = matched.Obey(_accept.Of(arguments));
+        var accepted = _accept.Of(arguments);
+        var obedient = matched.Obey(accepted);
         var answer = new MatchAnswer(
             obedient,
             folder,
@@ -99,17 +100,18 @@ internal sealed class MatchVerb : Verb
                 files.Job.File,
                 folder is null ? [] : matched.Report.Targets,
                 files.Read));
+        var made = folder is null ? [] : matched.FilesIn(folder, accepted);
         if (obedient.Report.Acceptance.IsWithheld)
         {
             if (folder is not null)
             {
-                OutputFile.WriteAll(answer.Files, files.Read, cancellation);
+                OutputFile.WriteAll(made, files.Read, cancellation);
             }
 
             return answer;
         }
 
-        var outputs = _certificate.Before(folder is null ? [] : answer.Files, matched.Match.Certificate, arguments);
+        var outputs = _certificate.Before(made, matched.Match.Certificate, arguments);
         _wish.WriteWith(outputs, matched.Match.WishFile, arguments, files.Read, cancellation);
         return answer;
     }
