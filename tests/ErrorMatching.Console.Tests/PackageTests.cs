@@ -33,6 +33,26 @@ public sealed class PackageTests
             f => Assert.DoesNotContain("<Version>", File.ReadAllText(f), StringComparison.Ordinal));
     }
 
+    // Its commands, its exits and its places.
+    [Fact]
+    public void The_manual_page_knows_what_the_help_knows()
+    {
+        var page = File.ReadAllText(Repository.PathTo("deploy", "errormatch.1")).Replace("\\-", "-", StringComparison.Ordinal);
+        var help = Shell.Run("--help").Output;
+        var commands = Regex.Matches(help, "^  (?<name>[a-z]+) .*?  (?<says>[A-Z].*\\.)$", RegexOptions.Multiline, TimeSpan.FromSeconds(1));
+        Assert.True(commands.Count > 8);
+        Assert.All(
+            commands,
+            c => Assert.Contains($".TP\n.B {c.Groups["name"].Value}\n{c.Groups["says"].Value}\n", page, StringComparison.Ordinal));
+        Assert.All(
+            Regex.Matches(page, "/opt/errormatch/(?<file>[a-z0-9./-]+)", RegexOptions.IgnoreCase, TimeSpan.FromSeconds(1)),
+            m => Assert.True(File.Exists(Repository.PathTo(m.Groups["file"].Value)), m.Value));
+        var exits = File.ReadAllText(Repository.PathTo("docs", "reference-console.md"));
+        Assert.All(
+            Regex.Matches(exits, "^\\| (?<exit>[0-9]+) \\|", RegexOptions.Multiline, TimeSpan.FromSeconds(1)),
+            m => Assert.Contains($".TP\n.B {m.Groups["exit"].Value}\n", page, StringComparison.Ordinal));
+    }
+
     // Restoring for a system that is not in its lock file would change the file.
     [Fact]
     public void Every_lock_file_knows_the_systems_that_are_published_for()

@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.CommandLine.Help;
 using System.CommandLine.Invocation;
+using ErrorMatching.Json;
 
 namespace ErrorMatching.Console;
 
@@ -19,10 +20,18 @@ internal sealed class HelpWithExample(HelpAction help) : SynchronousCommandLineA
                 break;
             case RootCommand:
                 parseResult.InvocationConfiguration.Output.Write(
-                    $"Example:\n  {CommandTree.Example}\n\nManual:\n  docs/first-match.md, and the tasks listed in docs/README.md\n");
+                    $"Example:\n  {CommandTree.Example}\n\nManual:\n  {Page("first-match.md")}, and the tasks listed in "
+                        + $"{Page("README.md")}\n");
                 break;
         }
 
         return exit;
+    }
+
+    // The packages have the documentation beside the program. A checkout has it where the example works.
+    private static string Page(string name)
+    {
+        var installed = Path.Combine(AppContext.BaseDirectory, "docs", name);
+        return File.Exists(installed) ? PathText.Of(installed) : "docs/" + name;
     }
 }
