@@ -32,7 +32,7 @@ internal static class StationCommand
         var full = new Option<bool>("--full-screen") { Description = "Fill the screen." };
         var scale = new Option<int>("--scale")
         {
-            Description = "Size of everything in percent, 100 to 200; on Windows the system's own setting counts.",
+            Description = "Size of everything in percent, 100 to 200; on Windows in addition to the system's own setting.",
             HelpName = "PERCENT",
             DefaultValueFactory = _ => Least
         };

@@ -3,7 +3,7 @@ using Avalonia.Platform.Surfaces;
 
 namespace ErrorMatching.Hmi.Platform;
 
-/// <summary>Receives a window's frames. The last one is kept for screenshots; an X11 window displays the same frame.</summary>
+/// <summary>Receives a window's frames. The last one is kept for screenshots; a window displays the same frame.</summary>
 internal sealed class FrameSurface : IPlatformRenderSurface
 {
     /// <summary>The last frame.</summary>

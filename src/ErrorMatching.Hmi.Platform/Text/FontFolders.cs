@@ -1,6 +1,6 @@
 namespace ErrorMatching.Hmi.Platform;
 
-/// <summary>Finds font files in the folders where Linux keeps them.</summary>
+/// <summary>Finds font files in the folders where the system keeps them.</summary>
 internal static class FontFolders
 {
     /// <summary>Largest font file that is read.</summary>
@@ -17,7 +17,15 @@ internal static class FontFolders
     {
         get
         {
-            var home = Environment.GetFolderPath(Environment.SpecialFolder.UserProfile, Environment.SpecialFolderOption.DoNotVerify);
+            if (OperatingSystem.IsWindows())
+            {
+                return [
+                    Folder(Environment.SpecialFolder.Fonts),
+                    Path.Combine(Folder(Environment.SpecialFolder.LocalApplicationData), "Microsoft", "Windows", "Fonts"),
+                ];
+            }
+
+            var home = Folder(Environment.SpecialFolder.UserProfile);
             var data = Environment.GetEnvironmentVariable("XDG_DATA_HOME");
             return [
                 "/usr/share/fonts",
@@ -50,4 +58,7 @@ internal static class FontFolders
                 .Order(StringComparer.Ordinal),
         ];
     }
+
+    private static string Folder(Environment.SpecialFolder folder) =>
+        Environment.GetFolderPath(folder, Environment.SpecialFolderOption.DoNotVerify);
 }

@@ -2,7 +2,7 @@ using Avalonia.Platform;
 
 namespace ErrorMatching.Hmi.Platform;
 
-/// <summary>Window icons, which are invisible on a station that fills its screen.</summary>
+/// <summary>No window icons: on Linux the desktop entry names one, on Windows it is in the program.</summary>
 internal sealed class NoIcons : IPlatformIconLoader
 {
     public IWindowIconImpl LoadIcon(string fileName) => new NoIcon();

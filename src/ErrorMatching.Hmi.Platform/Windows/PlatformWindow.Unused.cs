@@ -85,7 +85,7 @@ internal abstract partial class PlatformWindow
     {
     }
 
-    public void SetFrameThemeVariant(PlatformThemeVariant? themeVariant)
+    public virtual void SetFrameThemeVariant(PlatformThemeVariant? themeVariant)
     {
     }
 

@@ -8,7 +8,7 @@ using Avalonia.Threading;
 
 namespace ErrorMatching.Hmi.Platform;
 
-/// <summary>The common part of windows off screen and on X11: size, frame, input. The members of Avalonia's interface that need no code
+/// <summary>The common part of windows on each system and off screen: size, frame, input. The members of Avalonia's interface that need no code
 /// here are in the other file.</summary>
 internal abstract partial class PlatformWindow : IWindowImpl
 {
@@ -28,7 +28,7 @@ internal abstract partial class PlatformWindow : IWindowImpl
         RenderScaling = scaling;
         _surface = new() { Create = CreateFrame, Begins = OnFrameBegins, Drawn = OnFrame };
         Surfaces = [_surface];
-        _screens = new(() => new OneScreen(ScreenSize, scaling));
+        _screens = new(() => new OneScreen(ScreenSize, RenderScaling));
     }
 
     /// <summary>The last frame; null before the first one.</summary>
@@ -39,7 +39,7 @@ internal abstract partial class PlatformWindow : IWindowImpl
 
     public Size ClientSize { get; private set; } = new(1280, 800);
 
-    public double RenderScaling { get; }
+    public double RenderScaling { get; protected set; }
 
     public double DesktopScaling => RenderScaling;
 
@@ -79,7 +79,7 @@ internal abstract partial class PlatformWindow : IWindowImpl
 
     public PixelPoint PointToScreen(Point point) => PixelPoint.FromPoint(point, RenderScaling) + Position;
 
-    public object? TryGetFeature(Type featureType) =>
+    public virtual object? TryGetFeature(Type featureType) =>
         featureType == typeof(IScreenImpl) ? _screens.Value
         : featureType == typeof(Avalonia.Input.Platform.IClipboard) ? AvaloniaLocator.Current.GetService(featureType)
         : null;
@@ -97,7 +97,7 @@ internal abstract partial class PlatformWindow : IWindowImpl
 
     public virtual void Hide() => Dispatcher.UIThread.Post(() => Deactivated?.Invoke(), DispatcherPriority.Input);
 
-    public void Activate()
+    public virtual void Activate()
     {
         ZOrder = ++_lastZOrder;
         Dispatcher.UIThread.Post(() => Activated?.Invoke(), DispatcherPriority.Input);

@@ -5,7 +5,7 @@ using Avalonia.Platform;
 
 namespace ErrorMatching.Hmi.Platform;
 
-/// <summary>Cursors as names of standard shapes, which X11 has. Cursors from pictures are not needed; they become arrows.</summary>
+/// <summary>Cursors as names of standard shapes, which each system has. Cursors from pictures are not needed; they become arrows.</summary>
 internal sealed class ShapeCursors : ICursorFactory
 {
     public ICursorImpl GetCursor(StandardCursorType cursorType) => new ShapeCursor(cursorType);

@@ -16,9 +16,14 @@ internal sealed class Windowing(Func<PlatformWindow> create) : IWindowingPlatfor
     public static Compositor Compositor { get; private set; } = null!;
 
     /// <summary>Registers the platform's services, on the thread that becomes the UI thread.</summary>
-    public static void Initialize(IRenderTimer timer, Func<PlatformWindow> create, IClipboard clipboard)
+    /// <param name="timer">The clock of frames.</param>
+    /// <param name="create">Creates a window.</param>
+    /// <param name="clipboard">The clipboard.</param>
+    /// <param name="dispatcher">The loop of the UI thread; null for one that waits for nothing but its own work.</param>
+    public static void Initialize(
+        IRenderTimer timer, Func<PlatformWindow> create, IClipboard clipboard, IDispatcherImpl? dispatcher = null)
     {
-        Dispatcher.InitializeUIThreadDispatcher(new ManagedDispatcherImpl(null));
+        Dispatcher.InitializeUIThreadDispatcher(dispatcher ?? new ManagedDispatcherImpl(null));
         AvaloniaLocator.CurrentMutable
             .Bind<IWindowingPlatform>().ToConstant(new Windowing(create))
             .Bind<IRenderLoop>().ToConstant(RenderLoop.FromTimer(timer))

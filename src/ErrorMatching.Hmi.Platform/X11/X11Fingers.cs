@@ -3,12 +3,12 @@ using Avalonia.Input.Raw;
 
 namespace ErrorMatching.Hmi.Platform;
 
-/// <summary>The fingers on one window, passed on as touches.</summary>
+/// <summary>The fingers on one window, as the X server reports them.</summary>
 /// <param name="scaling">Pixels per device-independent unit.</param>
 /// <param name="pass">Receives what a finger does, where in device-independent units, and which finger.</param>
 internal sealed class X11Fingers(double scaling, Action<RawPointerEventType, Point, long> pass)
 {
-    private readonly Dictionary<uint, Point> _down = [];
+    private readonly Fingers _fingers = new(pass);
 
     /// <summary>Passes on what a finger does.</summary>
     public void On(XInputEvent finger)
@@ -17,29 +17,19 @@ internal sealed class X11Fingers(double scaling, Action<RawPointerEventType, Poi
         switch (finger.Kind)
         {
             case XInput.TouchBegin:
-                _down[finger.Finger] = at;
-                pass(RawPointerEventType.TouchBegin, at, finger.Finger);
+                _fingers.Begin(finger.Finger, at);
                 break;
-            case XInput.TouchUpdate when _down.ContainsKey(finger.Finger) && !finger.IsMarked:
-                _down[finger.Finger] = at;
-                pass(RawPointerEventType.TouchUpdate, at, finger.Finger);
+            case XInput.TouchUpdate when !finger.IsMarked:
+                _fingers.Update(finger.Finger, at);
                 break;
 
-            // An end that is pending belongs to another client after all: it must press nothing here.
-            case XInput.TouchEnd when _down.Remove(finger.Finger):
-                pass(finger.IsMarked ? RawPointerEventType.TouchCancel : RawPointerEventType.TouchEnd, at, finger.Finger);
+            // An end that is pending belongs to another client after all.
+            case XInput.TouchEnd:
+                _fingers.End(finger.Finger, at, finger.IsMarked);
                 break;
         }
     }
 
-    /// <summary>Cancels all touches, such as when the window closes: they press nothing. Fingers that are still down are ignored until
-    /// they are lifted.</summary>
-    public void Cancel()
-    {
-        foreach (var (id, at) in _down.ToArray())
-        {
-            _down.Remove(id);
-            pass(RawPointerEventType.TouchCancel, at, id);
-        }
-    }
+    /// <summary>Cancels all touches.</summary>
+    public void Cancel() => _fingers.Cancel();
 }
