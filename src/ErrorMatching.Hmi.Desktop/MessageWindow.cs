@@ -7,10 +7,13 @@ namespace ErrorMatching.Hmi.Desktop;
 [SupportedOSPlatform("windows")]
 internal static partial class MessageWindow
 {
-    private const uint WithErrorIcon = 0x10;
+    private const uint WithErrorIcon = 0x10, WithInformationIcon = 0x40;
 
-    /// <summary>Shows it and waits until it is closed.</summary>
-    public static void Show(string sentence) => _ = Show(0, sentence, "ErrorMatching", WithErrorIcon);
+    /// <summary>Shows what is wrong and waits until it is closed.</summary>
+    public static void ShowError(string sentence) => _ = Show(0, sentence, "ErrorMatching", WithErrorIcon);
+
+    /// <summary>Shows what was asked for, such as the options, and waits until it is closed.</summary>
+    public static void Show(string text) => _ = Show(0, text, "ErrorMatching", WithInformationIcon);
 
     [LibraryImport("user32", EntryPoint = "MessageBoxW", StringMarshalling = StringMarshalling.Utf16)]
     [DefaultDllImportSearchPaths(DllImportSearchPath.System32)]

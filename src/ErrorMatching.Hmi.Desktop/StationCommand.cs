@@ -2,7 +2,6 @@ using System.CommandLine;
 using System.Globalization;
 using System.Runtime.InteropServices;
 using Avalonia;
-using Avalonia.Controls;
 using Avalonia.Controls.ApplicationLifetimes;
 using Avalonia.Threading;
 using ErrorMatching.Cell;
@@ -13,8 +12,11 @@ namespace ErrorMatching.Hmi.Desktop;
 /// <summary>The station's command line: the cell to connect to, or the demonstration.</summary>
 internal static class StationCommand
 {
-    // As in the console: the command line or the configuration is wrong, or something outside failed, such as a store or a screen.
-    private const int WrongInput = 1, Outside = 3;
+    /// <summary>The exit code if the command line or the configuration is wrong, as in the console.</summary>
+    public const int WrongInput = 1;
+
+    // Something outside failed, such as a store or a screen.
+    private const int Outside = 3;
     private const int Least = 100, Most = 200;
 
     /// <summary>The command.</summary>
@@ -22,6 +24,15 @@ internal static class StationCommand
     public static RootCommand Make(StationLog log)
     {
         var config = new Argument<string?>("CONFIG") { Description = "The cell's configuration.", Arity = ArgumentArity.ZeroOrOne };
+
+        // Otherwise a misspelled option would be a configuration that cannot be opened.
+        config.Validators.Add(result =>
+        {
+            if (result.Tokens is [{ Value: ['-', _, ..] option }])
+            {
+                result.AddError($"{option} is not an option; --help lists them.");
+            }
+        });
         var demo = new Option<bool>("--demo")
         {
             Description = "A cell to play with: the samples in a folder of their own, with a gauge that delivers and a machine that cuts "
@@ -92,7 +103,6 @@ internal static class StationCommand
                         Open = () => Open(settings, demonstration?.GetAwaiter().GetResult()),
                         Look = look,
                         Busy = t => TellBusy(t, log),
-                        Icon = Icon,
                     });
                 return StationPlatform.Use(builder, scaling, log.Tell).StartWithClassicDesktopLifetime([]);
             }
@@ -147,15 +157,9 @@ internal static class StationCommand
         return string.IsNullOrEmpty(folder) ? null : new(Path.Combine(folder, "errormatch"));
     }
 
-    // On X11 the desktop entry names it.
-    private static Func<WindowIcon>? Icon => OperatingSystem.IsWindows()
-        ? () => new WindowIcon(typeof(StationCommand).Assembly.GetManifestResourceStream("station.ico")!)
-        : null;
-
     // For the log of the service manager: a user had to wait, and this is when.
-    private static void TellBusy(TimeSpan time, StationLog log) => log.Tell(string.Create(
-        CultureInfo.InvariantCulture,
-        $"{TimeProvider.System.GetLocalNow():HH:mm:ss} wrn The screen was busy for {time.TotalMilliseconds:0} ms"));
+    private static void TellBusy(TimeSpan time, StationLog log) =>
+        log.Warn(string.Create(CultureInfo.InvariantCulture, $"The screen was busy for {time.TotalMilliseconds:0} ms"));
 
     // As if the window were closed: the session ends properly, and the demonstration deletes its folder.
     private static void Leave(PosixSignalContext signal)

@@ -13,9 +13,6 @@ public sealed partial class App : Application
     /// <summary>Its initial appearance.</summary>
     public StationLook Look { get; init; } = new(Language.English, IsDark: false, IsFullScreen: false);
 
-    /// <summary>Reads the window's icon; null where the system takes it from the desktop entry.</summary>
-    public Func<WindowIcon>? Icon { get; init; }
-
     /// <summary>Called with the duration if the UI thread was blocked for too long; null if this is not needed.</summary>
     public Action<TimeSpan>? Busy { get; init; }
 
@@ -34,7 +31,7 @@ public sealed partial class App : Application
         {
             // The window is created while opening the station may still be busy creating its cell.
             Texts.Current.Language = Look.Language;
-            var window = new MainWindow { WindowState = Look.State, Icon = Icon?.Invoke() };
+            var window = new MainWindow { WindowState = Look.State };
             if (!Look.IsFullScreen)
             {
                 window.MinWidth = (double)this.FindResource("WindowLeastWidth")!;

@@ -1,6 +1,5 @@
 using System.Text.Json;
 using System.Text.RegularExpressions;
-using System.Xml.Linq;
 using ErrorMatching.Cell;
 using ErrorMatching.Testing;
 
@@ -182,24 +181,6 @@ public sealed class SettingsTests
                 Licenses.Packages,
                 l => l.Package.TrimEnd('*') is var stem
                     && (l.Package.EndsWith('*') ? p.StartsWith(stem, StringComparison.Ordinal) : p == stem)));
-    }
-
-    // What the package for Windows says that it needs; the two others are for other systems.
-    [Fact]
-    public void What_ships_on_windows_is_named_with_its_license()
-    {
-        var packages = Environment.GetEnvironmentVariable("NUGET_PACKAGES")
-            ?? Path.Combine(Environment.GetFolderPath(Environment.SpecialFolder.UserProfile), ".nuget", "packages");
-        var versions = XDocument.Load(Repository.PathTo("Directory.Packages.props"));
-        var version = versions.Descendants("AvaloniaVersion").Single().Value;
-        var needed = XDocument.Load(Path.Combine(packages, "avalonia.desktop", version, "avalonia.desktop.nuspec")).Descendants()
-            .Where(d => d.Name.LocalName == "dependency")
-            .Select(d => d.Attribute("id")!.Value)
-            .Except(["Avalonia.Native", "Avalonia.X11"])
-            .Distinct()
-            .ToArray();
-        Assert.Contains("Avalonia.Win32", needed);
-        Assert.All(needed, n => Assert.Contains(Licenses.Packages.Concat(Licenses.OfWindows), l => l.Package.TrimEnd('*') == n));
     }
 
     [Fact]

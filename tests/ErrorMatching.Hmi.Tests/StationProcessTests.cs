@@ -12,6 +12,7 @@ public sealed partial class StationProcessTests
     [Theory]
     [InlineData("", 1, "Name the cell's configuration, or --demo.")]
     [InlineData("cell.json --demo", 1, "Name the cell's configuration, or --demo.")]
+    [InlineData("--demoo", 1, "--demoo is not an option; --help lists them.")]
     [InlineData("--demo --scale 99", 1, "--scale is out of range; expected 100 to 200.")]
     [InlineData("--demo --scale 201", 1, "--scale is out of range; expected 100 to 200.")]
     [InlineData("nowhere.json", 1, "nowhere.json cannot be opened: ")]

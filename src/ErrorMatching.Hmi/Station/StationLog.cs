@@ -11,6 +11,9 @@ public sealed class StationLog
     /// <summary>From this size on, a log is kept under its second name and begun again.</summary>
     internal const int MostBytes = 1_000_000;
 
+    /// <summary>So many characters of a sentence are shown: a window of the system grows with its text, beyond the screen.</summary>
+    internal const int MostShown = 400;
+
     private readonly string? _file;
     private readonly TextWriter _error;
     private readonly Action<string>? _show;
@@ -38,12 +41,23 @@ public sealed class StationLog
         _ = Stored(line);
     }
 
-    /// <summary>Writes why the station does not start, and shows it with the place of the file.</summary>
+    /// <summary>Writes what went wrong and when. The lines of the file have a time anyway.</summary>
+    public void Warn(string sentence)
+    {
+        _error.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{_clock.GetLocalNow():HH:mm:ss} wrn {sentence}"));
+        _ = Stored("wrn " + sentence);
+    }
+
+    /// <summary>Writes why the station does not start, and shows the first line of it with the place of the file, which has the
+    /// rest.</summary>
     public void Fail(string sentence)
     {
+        ArgumentNullException.ThrowIfNull(sentence);
         _error.WriteLine(sentence);
         var isStored = Stored(sentence);
-        _show?.Invoke(isStored ? $"{sentence}\n\n{_file}" : sentence);
+        var first = sentence.Trim().Split('\n')[0].TrimEnd();
+        var shown = first.Length <= MostShown ? first : first[..MostShown] + "…";
+        _show?.Invoke(isStored ? $"{shown}\n\n{_file}" : shown);
     }
 
     // A disk that takes no log is no reason to stop.

@@ -30,7 +30,6 @@ internal sealed class AboutViewModel : ScreenViewModel
     [
         new("ErrorMatching", "MIT"),
         .. Licenses.Packages.Select(p => new AboutRow(p.Package, p.License)),
-        .. OperatingSystem.IsWindows() ? Licenses.OfWindows.Select(p => new AboutRow(p.Package, p.License)) : [],
         .. OperatingSystem.IsLinux() ? Licenses.OfLinux.Select(p => new AboutRow(p.Package, p.License)) : [],
     ];
 

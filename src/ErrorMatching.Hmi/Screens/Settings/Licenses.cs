@@ -37,14 +37,4 @@ internal static class Licenses
         ("libXext", "MIT"),
         ("libXi", "MIT"),
     ];
-
-    /// <summary>What draws and opens windows on Windows, shipped there in addition.</summary>
-    public static IReadOnlyList<(string Package, string License)> OfWindows { get; } =
-    [
-        ("Avalonia.Angle.Windows.Natives", "MIT; ANGLE: BSD-3-Clause"),
-        ("Avalonia.Desktop", "MIT"),
-        ("Avalonia.HarfBuzz", "MIT"),
-        ("Avalonia.Skia", "MIT"),
-        ("Avalonia.Win32*", "MIT"),
-    ];
 }
