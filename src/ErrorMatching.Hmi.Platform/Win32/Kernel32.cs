@@ -8,7 +8,8 @@ internal static unsafe partial class Kernel32
     /// <summary>For <see cref="GlobalAlloc"/>: what the clipboard demands.</summary>
     public const uint Movable = 2;
 
-    /// <summary>For <see cref="CreateWaitableTimer"/>: exact to less than a millisecond (Windows 10 1803), and the right to set and wait.</summary>
+    /// <summary>For <see cref="CreateWaitableTimer"/>: exact to less than a millisecond
+    /// (Windows 10 1803), and all rights.</summary>
     public const uint Exact = 2, AllAccess = 0x1F0003;
 
     private const string Library = "kernel32";

@@ -12,7 +12,7 @@ internal static unsafe partial class User32
     public const int Anywhere = unchecked((int)0x80000000), MessagesOnly = -3;
 
     /// <summary>For <see cref="ShowWindow"/>.</summary>
-    public const int Hide = 0, ShowNormal = 1, ShowMaximized = 3, ShowNotActive = 4, ShowMinimized = 6;
+    public const int Hide = 0, ShowNormal = 1, ShowMaximized = 3, ShowNotActive = 4, ShowAsIs = 5, ShowMinimized = 6;
 
     /// <summary>For <see cref="SetWindowPos"/>.</summary>
     public const uint KeepSize = 1, KeepPlace = 2, KeepOrder = 4, NotActive = 0x10, FrameChanged = 0x20;
@@ -51,6 +51,7 @@ internal static unsafe partial class User32
     [LibraryImport(Library)] public static partial int KillTimer(nint window, nint id);
     [LibraryImport(Library)] public static partial int ShowWindow(nint window, int how);
     [LibraryImport(Library)] public static partial int IsIconic(nint window);
+    [LibraryImport(Library)] public static partial int IsWindowVisible(nint window);
     [LibraryImport(Library)] public static partial int SetForegroundWindow(nint window);
     [LibraryImport(Library, EntryPoint = "SetWindowTextW", StringMarshalling = StringMarshalling.Utf16)]
     public static partial int SetWindowText(nint window, string text);

@@ -81,7 +81,12 @@ internal sealed unsafe class Win32Dispatcher : IControlledDispatcherImpl
             }
             else if (User32.PeekMessage(&message, 0, 0, 0, Removes) == 0)
             {
-                _ = User32.MsgWaitForMultipleObjectsEx(timer == 0 ? 0u : 1, &timer, Forever, Anything, AlsoSeen);
+                var isTimer = User32.MsgWaitForMultipleObjectsEx(timer == 0 ? 0u : 1, &timer, Forever, Anything, AlsoSeen) == 0;
+                if (isTimer && timer != 0 && _due > Now)
+                {
+                    // The two clocks differ a little: it waits for the rest.
+                    Arm();
+                }
             }
             else if (message.Window == Messages && message.Kind == Win32Message.Work)
             {

@@ -13,6 +13,12 @@ internal sealed unsafe class Win32Frame(nint window)
     /// <summary>The style of a window that does not fill the screen.</summary>
     public static uint Style => Normal;
 
+    /// <summary>True if it fills the whole monitor, without a frame. It can be minimized meanwhile.</summary>
+    public bool IsFull { get; private set; }
+
+    /// <summary>True if it is shown, even if it is minimized.</summary>
+    public bool IsVisible => User32.IsWindowVisible(window) != 0;
+
     /// <summary>Pixels per inch of the monitor that the window is on.</summary>
     public uint Dpi => User32.GetDpiForWindow(window);
 
@@ -41,6 +47,7 @@ internal sealed unsafe class Win32Frame(nint window)
     /// <summary>How <see cref="User32.ShowWindow"/> shows a state.</summary>
     public static int Showing(WindowState state) => state switch
     {
+        WindowState.FullScreen => User32.ShowAsIs,
         WindowState.Maximized => User32.ShowMaximized,
         WindowState.Minimized => User32.ShowMinimized,
         _ => User32.ShowNormal,
@@ -66,14 +73,18 @@ internal sealed unsafe class Win32Frame(nint window)
         window, 0, to.Left, to.Top, to.Width, to.Height, User32.KeepOrder | User32.NotActive | flags);
 
     /// <summary>Fills the whole monitor, without a frame.</summary>
-    public void Fill(bool isShown)
+    public void Fill()
     {
-        fixed (User32.Rect* before = &_before)
+        if (!IsFull)
         {
-            _ = User32.GetWindowRect(window, before);
+            fixed (User32.Rect* before = &_before)
+            {
+                _ = User32.GetWindowRect(window, before);
+            }
         }
 
-        SetStyle(User32.Popup, isShown);
+        IsFull = true;
+        SetStyle(User32.Popup);
         Refill();
     }
 
@@ -81,12 +92,13 @@ internal sealed unsafe class Win32Frame(nint window)
     public void Refill() => Put(Monitor.All, User32.FrameChanged);
 
     /// <summary>Is again as before <see cref="Fill"/>.</summary>
-    public void Unfill(bool isShown)
+    public void Unfill()
     {
-        SetStyle(Normal, isShown);
+        IsFull = false;
+        SetStyle(Normal);
         Put(_before, User32.FrameChanged);
     }
 
-    private void SetStyle(uint style, bool isShown) =>
-        _ = User32.SetWindowLong(window, User32.Style, (nint)(style | User32.ClipChildren | (isShown ? User32.Visible : 0)));
+    private void SetStyle(uint style) =>
+        _ = User32.SetWindowLong(window, User32.Style, (nint)(style | User32.ClipChildren | (IsVisible ? User32.Visible : 0)));
 }

@@ -14,15 +14,23 @@ internal sealed unsafe class Win32InputMethod(Win32Window window) : ITextInputMe
     private TextInputMethodClient? _client;
     private Rect _caret;
 
+    /// <summary>Keys outside of text fields are commands, or a scanner's code: they must not begin a composition.</summary>
+    public void TurnOff() => _ = Imm32.ImmAssociateContextEx(window.Window, 0, 0);
+
     public void SetClient(TextInputMethodClient? client)
     {
         if (!ReferenceEquals(_client, client))
         {
             Reset();
             _client = client;
-
-            // Outside of text fields, keys are commands and must not begin a composition.
-            _ = Imm32.ImmAssociateContextEx(window.Window, 0, client is null ? 0 : DefaultContext);
+            if (client is null)
+            {
+                TurnOff();
+            }
+            else
+            {
+                _ = Imm32.ImmAssociateContextEx(window.Window, 0, DefaultContext);
+            }
         }
     }
 

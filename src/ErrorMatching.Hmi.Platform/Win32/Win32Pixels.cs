@@ -2,7 +2,7 @@ using Avalonia;
 
 namespace ErrorMatching.Hmi.Platform;
 
-/// <summary>Memory for a frame that the system copies to a window: Skia draws into it, and nothing is copied but what has changed.</summary>
+/// <summary>Memory for a frame that Skia draws into. The system copies what has changed to a window.</summary>
 internal sealed unsafe class Win32Pixels : IDisposable
 {
     private readonly nint _dc, _bitmap, _before;

@@ -35,6 +35,7 @@ internal sealed unsafe class Win32Window : PlatformWindow
         _frame = new(Window);
         RenderScaling = Scaling(_frame.Dpi);
         OnResized(_frame.Inside.ToSize(RenderScaling), WindowResizeReason.Layout);
+        _inputMethod.TurnOff();
     }
 
     /// <summary>When the current message was sent, in milliseconds. The system's own time has 32 bits and starts again after 50
@@ -65,7 +66,7 @@ internal sealed unsafe class Win32Window : PlatformWindow
             base.WindowState = value;
             if (_isShown)
             {
-                Apply(before);
+                Apply();
             }
 
             WindowStateChanged?.Invoke(value);
@@ -84,7 +85,7 @@ internal sealed unsafe class Win32Window : PlatformWindow
         }
         else
         {
-            Apply(WindowState.Normal);
+            Apply();
         }
 
         if (activate)
@@ -232,7 +233,7 @@ internal sealed unsafe class Win32Window : PlatformWindow
             case Win32Message.DpiChanged:
                 OnDpi((uint)(w & 0xFFFF), *(User32.Rect*)l);
                 return 0;
-            case Win32Message.DisplayChanged when WindowState == WindowState.FullScreen && _isShown:
+            case Win32Message.DisplayChanged when _frame.IsFull:
                 _frame.Refill();
                 return null;
             case Win32Message.SetFocus:
@@ -270,16 +271,21 @@ internal sealed unsafe class Win32Window : PlatformWindow
 
     private double Scaling(uint dpi) => _scaling * dpi / UsualDpi;
 
-    private void Apply(WindowState before)
+    private void Apply()
     {
-        if (before == WindowState.FullScreen)
-        {
-            _frame.Unfill(_isShown);
-        }
-
         if (WindowState == WindowState.FullScreen)
         {
-            _frame.Fill(_isShown);
+            // A maximized or minimized window has a size of its own in mind.
+            if (!_frame.IsFull && _frame.IsVisible)
+            {
+                _ = User32.ShowWindow(Window, User32.ShowNormal);
+            }
+
+            _frame.Fill();
+        }
+        else if (_frame.IsFull && WindowState != WindowState.Minimized)
+        {
+            _frame.Unfill();
         }
 
         _ = User32.ShowWindow(Window, Win32Frame.Showing(WindowState));
@@ -312,7 +318,7 @@ internal sealed unsafe class Win32Window : PlatformWindow
         var state = kind switch
         {
             minimized => WindowState.Minimized,
-            _ when base.WindowState == WindowState.FullScreen => WindowState.FullScreen,
+            _ when _frame.IsFull => WindowState.FullScreen,
             maximized => WindowState.Maximized,
             _ => WindowState.Normal,
         };
@@ -332,7 +338,7 @@ internal sealed unsafe class Win32Window : PlatformWindow
     {
         RenderScaling = Scaling(dpi);
         ScalingChanged?.Invoke(RenderScaling);
-        if (WindowState == WindowState.FullScreen)
+        if (_frame.IsFull)
         {
             _frame.Refill();
         }

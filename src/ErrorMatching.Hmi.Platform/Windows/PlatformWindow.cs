@@ -8,8 +8,8 @@ using Avalonia.Threading;
 
 namespace ErrorMatching.Hmi.Platform;
 
-/// <summary>The common part of windows on each system and off screen: size, frame, input. The members of Avalonia's interface that need no code
-/// here are in the other file.</summary>
+/// <summary>The common part of windows on each system and off screen: size, frame, input. The members of Avalonia's interface that need
+/// no code here are in the other file.</summary>
 internal abstract partial class PlatformWindow : IWindowImpl
 {
     private static int _lastZOrder;

@@ -51,7 +51,7 @@ public sealed partial class FolderTests
         [
             "Freeform", "Compensation", "Verification", "Overview", "Login", "Messages", "History", "Setup", "Points", "System", "Settings",
         ],
-        ["Hmi.Platform"] = ["Text", "Drawing", "Windows", "X11", ""],
+        ["Hmi.Platform"] = ["Text", "Drawing", "Windows", "X11", "Win32", ""],
     };
 
     public static TheoryData<string> Projects => [.. Orders.Keys.Order(StringComparer.Ordinal)];
