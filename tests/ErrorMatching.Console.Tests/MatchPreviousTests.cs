@@ -52,8 +52,8 @@ public sealed class MatchPreviousTests
         Assert.Equal(3, third.GetProperty("lot").GetProperty("pieces").GetArrayLength());
     }
 
-    // While the first counterpart was measured, the second one was cut with the same nominal program, and the third one while the second one
-    // was measured.
+    // While the first counterpart was measured, the second one was cut with the same nominal program, and the third one while the
+    // second one was measured.
     [Fact]
     public void Counterparts_may_be_measured_late()
     {

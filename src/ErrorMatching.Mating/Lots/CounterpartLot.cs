@@ -16,25 +16,33 @@ public sealed record CounterpartLot(MeasuredLot Pieces, Lot? Next)
     /// <summary>Adds a measured counterpart to those before it.</summary>
     /// <param name="job">The job.</param>
     /// <param name="maps">The mapped features, for the normals.</param>
-    /// <param name="input">The inputs of the match.</param>
+    /// <param name="theoretical">The key points as designed.</param>
     /// <param name="measured">The counterpart, aligned.</param>
+    /// <param name="previous">The match whose program cut it; null if no match before it is known.</param>
+    /// <param name="latest">The last match, if other counterparts were measured between these two; otherwise null.</param>
+    /// <param name="toolChanged">True if the tool was changed before it.</param>
     internal static Outcome<CounterpartLot> Of(
-        MatingJob job, IReadOnlyList<FeatureMap> maps, MatchInput input, AlignedMeasurement measured)
+        MatingJob job,
+        IReadOnlyList<FeatureMap> maps,
+        MeasurementFile theoretical,
+        AlignedMeasurement measured,
+        PreviousMatch? previous,
+        PreviousMatch? latest,
+        bool toolChanged)
     {
-        var theoretical = input.Theoretical;
         double[] errors = [
             .. maps.SelectMany(map => map.Feature.Points.Select((label, i) => map.Normals[i].Dot(
                 measured.Points[label] - ProjectedPoint.Of(theoretical[label], map.Feature.Plane, theoretical.File).Position)))];
-        var cutBy = input.Previous?.Pieces ?? new(job.KeyPoints, [], new double[errors.Length]);
+        var cutBy = previous?.Pieces ?? new(job.KeyPoints, [], new double[errors.Length]);
 
         // All pieces that are known, and what the program of this one corrects.
-        var pieces = (input.Latest?.Pieces ?? cutBy) with { CorrectionsMm = cutBy.CorrectionsMm };
+        var pieces = (latest?.Pieces ?? cutBy) with { CorrectionsMm = cutBy.CorrectionsMm };
         if (pieces.Refuse(job.KeyPoints, measured.File.Sha256) is { } refusal)
         {
             return refusal;
         }
 
-        var values = new LotPiece(errors, pieces.CorrectionsMm) { IsAfterToolChange = input.ToolChanged };
+        var values = new LotPiece(errors, pieces.CorrectionsMm) { IsAfterToolChange = toolChanged };
         var u = job.Gauge.Uncertainty.CombinedMm;
         var all = pieces.With(pieces.Pieces.Count == 0
             ? new(measured.File.Sha256, u, values)

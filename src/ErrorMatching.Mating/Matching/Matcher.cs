@@ -39,7 +39,8 @@ public static class Matcher
         CounterpartLot? lot = null;
         if (job.Compensation.From == CompensationSource.Counterpart)
         {
-            var following = CounterpartLot.Of(job, maps, input, counterpart!);
+            var following = CounterpartLot.Of(
+                job, maps, input.Theoretical, counterpart!, input.Previous, input.Latest, input.ToolChanged);
             if (following.Result is null)
             {
                 return Outcome.Refused<MatchResult>(following.Refusals);

@@ -133,8 +133,8 @@ public sealed class NotKnownBetweenTests
         Assert.InRange(between.StandardUncertaintyMm, 0.03, 0.06);
     }
 
-    // The face is 0.35 mm lower than designed, and the chamfer of 0.4 mm at its end is in its place: the chamfer that is left is not where its
-    // points are. With the face in its place, too, the chamfer is compared.
+    // The face is 0.35 mm lower than designed, and the chamfer of 0.4 mm at its end is in its place: the chamfer that is left is not
+    // where its points are. With the face in its place, too, the chamfer is compared.
     [Theory]
     [InlineData(-0.35, VerdictCode.NotKnownBetween)]
     [InlineData(-0.001, VerdictCode.Within)]

@@ -28,8 +28,8 @@ internal sealed class MatchVerb : Verb
 
     private readonly Option<bool> _toolChanged = new("--tool-changed")
     {
-        Description = "With --previous or --latest: the tool was changed before the measured counterpart was cut, so what it shows is believed at "
-            + "once.",
+        Description = "With --previous or --latest: the tool was changed before the measured counterpart was cut, so what it shows is "
+            + "believed at once.",
     };
 
     private readonly AssumeOption _assume = new();
