@@ -86,6 +86,13 @@ public sealed class MatchPreviousTests
         Shell.Json(
             0, "errormatch/match/1", "match", job, "--counterpart", folder["other.csv"], "--out", folder["other"], "--accept", "any");
         Assert.Equal("other-lot", Shell.Error(1, [.. third, folder["other/report.json"]]).Text("code"));
+
+        // Without its report, nobody knows what the program corrects.
+        Assert.Equal(
+            "previous-missing",
+            Shell.Error(
+                1, "match", job, "--counterpart", folder["third.csv"], "--program", folder["out/counterpart.nc"],
+                "--latest", folder["second/report.json"]).Text("code"));
         Assert.Equal(
             "previous-not-feedback",
             Shell.Error(1, "match", Sample("job.json"), "--latest", folder["out/report.json"]).Text("code"));

@@ -32,7 +32,8 @@ public static class MatingRun
         var (program, bytes) = files.Program(request.Program);
         var dialect = files.OwnDialect();
         cancellation.ThrowIfCancellationRequested();
-        var (previous, anew) = Previous(request, job, theoretical, NcProgram.Read(bytes, job.Counterpart.DialectOf(dialect).Syntax));
+        var read = NcProgram.Read(bytes, job.Counterpart.DialectOf(dialect).Syntax);
+        var (previous, anew) = Previous(request, job, theoretical, read);
         try
         {
             var called = files.Called();
@@ -41,7 +42,7 @@ public static class MatingRun
                 {
                     OwnDialect = dialect,
                     Previous = previous,
-                    Latest = Latest(request, job, theoretical, previous),
+                    Latest = Latest(request, job, theoretical, previous, read, program),
                     ToolChanged = request.ToolChanged,
                     Library = called.Find,
                     OffsetsFile = request.OffsetsFile,
@@ -108,7 +109,12 @@ public static class MatingRun
 
     // The last match of the lot. It knows the counterpart that the program of this one followed, unless that was a nominal one.
     private static PreviousMatch? Latest(
-        MatingRequest request, MatingJob job, MeasurementFile theoretical, PreviousMatch? previous)
+        MatingRequest request,
+        MatingJob job,
+        MeasurementFile theoretical,
+        PreviousMatch? previous,
+        NcProgram program,
+        string programFile)
     {
         if (request.Latest is not { } given)
         {
@@ -116,6 +122,15 @@ public static class MatingRun
         }
 
         ThrowIfNotFeedback(job);
+        if (previous is null && Marker.Find(program).Any(m => m.Marker is not null))
+        {
+            throw new InputException(Refusal.Of(
+                "previous-missing",
+                "a program that follows a measurement already, without the report that says what it corrects",
+                "that report as --previous, or the nominal program",
+                new() { File = programFile }));
+        }
+
         var latest = PreviousMatchReport.Of(given, job, theoretical, null);
         return previous is null || latest.Pieces.Pieces.Any(p => p.MeasuredSha256 == previous.Pieces.Pieces[^1].MeasuredSha256)
             ? latest
