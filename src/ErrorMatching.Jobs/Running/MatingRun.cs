@@ -33,7 +33,7 @@ public static class MatingRun
         var dialect = files.OwnDialect();
         cancellation.ThrowIfCancellationRequested();
         var read = NcProgram.Read(bytes, job.Counterpart.DialectOf(dialect).Syntax);
-        var (previous, anew) = Previous(request, job, theoretical, read);
+        var (previous, newLot) = Previous(request, job, theoretical, read);
         try
         {
             var called = files.Called();
@@ -65,7 +65,7 @@ public static class MatingRun
                 report = report with { Warnings = [.. report.Warnings, missing] };
             }
 
-            report = anew is null ? report : report with { Notes = [.. report.Notes, anew] };
+            report = newLot is null ? report : report with { Notes = [.. report.Notes, newLot] };
             return new MatchedProgram(
                 result,
                 GainNote.Of(request.Gain, files.Job.Compensation.Gain) is { } note

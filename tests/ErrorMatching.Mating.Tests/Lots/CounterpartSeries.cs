@@ -23,7 +23,7 @@ internal sealed class CounterpartSeries(double uncertaintyMm, bool goesOn = true
     /// <summary>Measures the next counterpart and matches the program to it.</summary>
     /// <param name="heights">Where its points are.</param>
     /// <param name="toolChanged">True if the tool was changed before it.</param>
-    /// <param name="isAgain">True to measure the last one once more: the new measurement takes the place of the old.</param>
+    /// <param name="isAgain">True to measure the last one once more: the new measurement replaces the old.</param>
     public MatchResult Measure(Func<int, double> heights, bool toolChanged = false, bool isAgain = false)
     {
         var by = By(isAgain ? -1 : 0);
