@@ -131,7 +131,8 @@ public sealed class MatchVerdictTextTests
         Assert.All(new PieceDetail(measured, [measured]).Points, p => Assert.DoesNotContain("±", p.After, StringComparison.Ordinal));
         var older = Detail(Sample.Older(), CorrectionState.Proposed);
         Assert.Equal(Sample.KeyPoints.Select(p => Shown.SignedMm(p.PredictedMm)), older.Points.Select(p => p.LeftOver));
-        Assert.Equal("Worst at the points: +0.0204 mm at point 11 of C1.", Spaced(older.LeftOver!));
+        Assert.StartsWith(
+            "Worst at the points: +0.0204 mm at point 11 of C1. It goes together:", Spaced(older.LeftOver!), StringComparison.Ordinal);
         Assert.Equal("With compensation, as predicted: at most 0.0204 mm", Spaced(older.AfterCaption));
     });
 
@@ -202,6 +203,30 @@ public sealed class MatchVerdictTextTests
             Texts.Current.Language = Language.TraditionalChinese;
             var chinese = PairText.Of(pair, limits);
             Assert.Contains("N120", chinese, StringComparison.Ordinal);
+            Assert.DoesNotContain("together", chinese, StringComparison.Ordinal);
+        });
+
+    // A flat on a flat: it can always be lifted off, and rests where it is pressed home.
+    [Theory]
+    [InlineData(0, 0)]
+    [InlineData(2, 0)]
+    [InlineData(1, 1)]
+    public Task A_part_that_can_be_lifted_off_is_said_to_go_together_as_in_the_report(int gaps, int corners) =>
+        InAsync(Language.English, () =>
+        {
+            var pair = new PairAssembly
+            {
+                Assembles = true,
+                Probability = 1,
+                Contacts = [new PairContact(new(0, 0), "L1", "N130"), new PairContact(new(9, 0), "L1", "N150")],
+                Gaps = [.. Enumerable.Range(0, gaps).Select(i => new PairGap("L1", new(i, 0), new(0, 1), 0.012 + (i / 1e3)))],
+                RoundCorners = [.. Enumerable.Range(0, corners).Select(i => new PairCorner($"N{200 + i}", $"N{210 + i}", 0.04))],
+            };
+            ToleranceBand[] limits = [new(-0.05, 0.05)];
+            Assert.Equal(PairWords.Of(pair, limits), Plain(PairText.Of(pair, limits)));
+            Texts.Current.Language = Language.TraditionalChinese;
+            var chinese = PairText.Of(pair, limits);
+            Assert.Contains("N150", chinese, StringComparison.Ordinal);
             Assert.DoesNotContain("together", chinese, StringComparison.Ordinal);
         });
 

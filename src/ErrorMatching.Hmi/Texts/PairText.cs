@@ -7,24 +7,38 @@ namespace ErrorMatching.Hmi;
 /// console.</summary>
 internal static class PairText
 {
-    /// <summary>How surely they do, and with how much air or overlap where; empty for a part that can be lifted off, which always
-    /// does.</summary>
+    /// <summary>How surely they do, and with how much air or overlap where.</summary>
     /// <param name="pair">The pair.</param>
     /// <param name="limits">The limits of the mating error, of each feature.</param>
     public static string Of(PairAssembly pair, IEnumerable<ToleranceBand> limits)
     {
         ArgumentNullException.ThrowIfNull(pair);
+        var sentence = Together(pair, limits);
+        return pair.RoundCorners.Count == 0 || !(pair.Assembles || pair.IsWithin(limits)) ? sentence
+            : Sentence.Joined(
+                sentence,
+                Texts.Current.Counted(
+                    "Pair.RoundCorners",
+                    pair.RoundCorners.Count,
+                    VerdictParts.Names([.. pair.RoundCorners.Select(c => $"{c.Before}/{c.After}")]),
+                    Shown.MmAsKnown(pair.RoundCorners.Max(c => c.OverlapMm), null)));
+    }
+
+    private static string Together(PairAssembly pair, IEnumerable<ToleranceBand> limits)
+    {
         var texts = Texts.Current;
         string[] blocks = [.. pair.Contacts.Select(c => c.Block).Distinct(StringComparer.Ordinal)];
+        var places = VerdictParts.Names(blocks);
         if (pair.TightestMm is not { } tightest)
         {
-            return "";
+            return pair.Gaps.Count == 0
+                ? texts.With("Pair.LiftsOffNoGap", places)
+                : texts.With("Pair.LiftsOff", places, Shown.MmAsKnown(pair.Gaps.Max(g => g.GapMm), null));
         }
 
-        var places = VerdictParts.Names(blocks);
         var half = pair.Interval95Mm is { } interval ? (interval.To - interval.From) / 2 : (double?)null;
         var (probability, size) = (VerdictParts.Percent(pair.Probability), Shown.MmAsKnown(tightest, half));
-        var sentence = (pair.Assembles, tightest < 0) switch
+        return (pair.Assembles, tightest < 0) switch
         {
             (true, false) => texts.Counted("Pair.Together", blocks.Length, probability, size, places),
             (true, true) => texts.Counted("Pair.Together", blocks.Length, probability, Shown.MmAsKnown(0, half), places),
@@ -32,13 +46,5 @@ internal static class PairText
             (false, true) => texts.With("Pair.NotTogether", probability, size, places),
             (false, false) => texts.With("Pair.NoAir", probability, places),
         };
-        return pair.RoundCorners.Count == 0 || !(pair.Assembles || pair.IsWithin(limits)) ? sentence
-            : Sentence.Joined(
-                sentence,
-                texts.Counted(
-                    "Pair.RoundCorners",
-                    pair.RoundCorners.Count,
-                    VerdictParts.Names([.. pair.RoundCorners.Select(c => $"{c.Before}/{c.After}")]),
-                    Shown.MmAsKnown(pair.RoundCorners.Max(c => c.OverlapMm), null)));
     }
 }

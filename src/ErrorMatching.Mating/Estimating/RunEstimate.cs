@@ -290,15 +290,10 @@ internal sealed class RunEstimate
 
     /// <summary>The middle between the two neighboring key points of an element that are furthest apart, where one more would tell most
     /// about its form, with the error there of a perfect shape.</summary>
-    /// <returns>Null if the element has fewer than two key points of its own.</returns>
-    public PredictedError? WidestGap(BoundaryElement element, RunPath after)
+    /// <remarks>Each kind asks for at least two points on each of its elements, so there always is one.</remarks>
+    public PredictedError WidestGap(BoundaryElement element, RunPath after)
     {
         double[] feet = [.. FeetOf(element).Order()];
-        if (feet.Length < 2)
-        {
-            return null;
-        }
-
         var (from, to) = feet.Zip(feet.Skip(1)).MaxBy(g => g.Second - g.First);
         var at = (from + to) / 2;
         if (IsLeft(element, at))

@@ -28,6 +28,44 @@ public sealed class CourseTests
         Assert.InRange(Median(ours) / Median(reference), 0.5, 1.2);
     }
 
+    // Curves that are drawn from a process of random scales. A process that is told them is out of reach: even the mean over all scales
+    // that the draw could have had, weighed by their likelihood, which no estimate can beat on average, leaves 1.03 to 1.05 times as
+    // much as it. Half of the courses are to be within 1.06 of the one that is told, and all together within 1.06 of the best possible.
+    [Theory]
+    [InlineData(0.002)]
+    [InlineData(0.005)]
+    public void The_course_is_nearly_as_near_as_that_of_a_process_that_is_told_the_scales(double noise)
+    {
+        const int Grid = 8;
+        var (ours, told, best) = (new List<double>(), new List<double>(), new List<double>());
+        for (var seed = 0; seed < Curves; seed++)
+        {
+            var random = new Random(seed);
+            var (length, count) = (35 + (10 * random.NextDouble()), random.Next(5, 15));
+            var kernel = Scales(random.NextDouble(), random.NextDouble());
+            var (tilt, shift) = (0.05 * Gauss(), 0.1 * Gauss());
+            double[] places = [.. Enumerable.Range(0, 201).Select(i => length * i / 200)];
+            var drawn = ReferenceProcess.Draw(places, kernel, Gauss);
+            double[] along = [.. Enumerable.Range(0, count).Select(i => places[200 * i / (count - 1)])];
+            double[] values = [.. along.Select(s => Truth(s) + (noise * Gauss()))];
+            BoundaryRow[] rows = [.. along.Zip(values, (s, v) => new BoundaryRow([new(0, s, 1)], v))];
+            var field = new DeviationField(PriorChoice.Of([Element(length)], rows, noise).OfCuts, rows, noise);
+            var all = ReferenceProcess.Mean(along, values, noise, [
+                .. Enumerable.Range(0, Grid * Grid).Select(k => Scales((k % Grid + 0.5) / Grid, (k / Grid + 0.5) / Grid))]);
+            ours.Add(Rms(Truth, s => field.Mean(0, s), length));
+            told.Add(Rms(Truth, ReferenceProcess.Told(along, values, noise, kernel).At, length));
+            best.Add(Rms(Truth, all, length));
+
+            (double Amplitude, double Length) Scales(double a, double b) => (0.005 * Math.Pow(10, a), length * (0.15 + (0.45 * b)));
+            double Truth(double s) => shift + (tilt * s / length) + drawn[(int)Math.Round(200 * s / length)];
+            double Gauss() => Math.Sqrt(-2 * Math.Log(1 - random.NextDouble())) * Math.Cos(2 * Math.PI * random.NextDouble());
+        }
+
+        Assert.InRange(Median([.. ours.Zip(told, (a, b) => a / b)]), 1, 1.06);
+        Assert.InRange(ours.Average() / best.Average(), 0.99, 1.06);
+        Assert.InRange(best.Average() / told.Average(), 1.02, 1.06);
+    }
+
     // Of 300 curves with 101 places each, so that the band holds where nobody measured.
     [Theory]
     [InlineData(0.002)]

@@ -32,6 +32,44 @@ internal sealed class ReferenceProcess
         return chosen!;
     }
 
+    /// <summary>The mean of processes of many scales, weighed by how likely they make the values.</summary>
+    public static Func<double, double> Mean(
+        double[] along, double[] values, double noise, (double Amplitude, double Length)[] kernels)
+    {
+        var fits = kernels.Select(k => Fit(along, values, noise, k)).ToArray();
+        var top = fits.Max(f => f.Log);
+        double[] weights = [.. fits.Select(f => Math.Exp(f.Log - top))];
+        return place => fits.Zip(weights, (f, w) => w * f.Process.At(place)).Sum() / weights.Sum();
+    }
+
+    /// <summary>The process with scales that are given.</summary>
+    public static ReferenceProcess Told(double[] along, double[] values, double noise, (double Amplitude, double Length) kernel) =>
+        Fit(along, values, noise, kernel).Process;
+
+    /// <summary>A curve that the kernel makes likely, at some places: the lower factor of their covariance times normal numbers.</summary>
+    public static double[] Draw(double[] places, (double Amplitude, double Length) kernel, Func<double> normal)
+    {
+        var n = places.Length;
+        var (factor, drawn) = (new double[n, n], new double[n]);
+        double[] normals = [.. places.Select(_ => normal())];
+        for (var i = 0; i < n; i++)
+        {
+            for (var j = 0; j <= i; j++)
+            {
+                var sum = Kernel(kernel, places[i] - places[j]) + (i == j ? 1e-9 * kernel.Amplitude * kernel.Amplitude : 0);
+                for (var k = 0; k < j; k++)
+                {
+                    sum -= factor[i, k] * factor[j, k];
+                }
+
+                factor[i, j] = i == j ? Math.Sqrt(sum) : sum / factor[j, j];
+                drawn[i] += factor[i, j] * normals[j];
+            }
+        }
+
+        return drawn;
+    }
+
     public double At(double place) =>
         _line[0] + (_line[1] * place) + _along.Select((s, i) => _weights[i] * Kernel(_kernel, place - s)).Sum();
 
