@@ -110,6 +110,12 @@ public sealed class DeclaredRoleTests
                     continue;
                 }
 
+                // Each dialect gets a third of the meanings and each meaning a third of the dialects.
+                if ((Letters.Count(d => string.CompareOrdinal(d, like) < 0) + (int)number) % Depth.Of(3, 1) != 0)
+                {
+                    continue;
+                }
+
                 // From three states, one of which the code leaves: else it has done nothing.
                 Assert.True(Still.Contains((NcMeaning)number) || IsFollowed(dialect, like, code), $"{name}, {code}, like {like}");
             }

@@ -1,6 +1,7 @@
 using System.Text;
 using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
+using ErrorMatching.Testing;
 
 namespace ErrorMatching.Freeform.Tests;
 
@@ -106,7 +107,7 @@ public sealed class TravelHeightTests
             (CuttingStage.Roughing, Math.Max(roughing, ball / 2)),
         })
         {
-            foreach (var clearance in new[] { before, 10 })
+            foreach (var clearance in new[] { before, 10 }.Take(Depth.Of(1, 2)))
             {
                 var job = Job(clearance, FormattableString.Invariant($"\"roughing\": {roughing}, \"semiFinishing\": {semi}"), 0.09, ball);
                 var planned = Plan(surface, job, stage, NcDialects.LinuxCnc);

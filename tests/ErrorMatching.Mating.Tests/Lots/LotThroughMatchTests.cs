@@ -11,14 +11,28 @@ public sealed class LotThroughMatchTests(ITestOutputHelper output)
     // A single lot may be unlucky.
     private static readonly double Luck = Lots == 1 ? 0.1 : 0;
 
+    // A mean and a walk differ little from a drift: the gate leaves them out.
+    public static TheoryData<string, double> Kinds
+    {
+        get
+        {
+            var all = new TheoryData<string, double>
+            {
+                { "drift", 1.15 }, { "step", 1.3 }, { "outliers", 1.15 }, { "noise", 1.05 },
+            };
+            if (Lots > 1)
+            {
+                all.Add("repeating", 1.15);
+                all.Add("walk", 1.15);
+            }
+
+            return all;
+        }
+    }
+
     // The squares of what the pieces show, the noise included, as in the costs of the estimate alone.
     [Theory]
-    [InlineData("repeating", 1.15)]
-    [InlineData("drift", 1.15)]
-    [InlineData("walk", 1.15)]
-    [InlineData("step", 1.3)]
-    [InlineData("outliers", 1.15)]
-    [InlineData("noise", 1.05)]
+    [MemberData(nameof(Kinds))]
     public void The_squared_errors_are_near_those_of_a_filter_that_knows(string kind, double most)
     {
         AssertNear(
@@ -26,15 +40,15 @@ public sealed class LotThroughMatchTests(ITestOutputHelper output)
     }
 
     // While one piece is measured, the next ones are cut with the program that there is.
-    [Theory]
-    [InlineData(1)]
-    [InlineData(2)]
-    [InlineData(3)]
-    public void Pieces_may_be_measured_late(int delay)
+    [Fact]
+    public void Pieces_may_be_measured_late()
     {
-        foreach (var kind in new[] { "repeating", "drift", "walk", "outliers", "step" }.Take(Depth.Of(1, 5)))
+        foreach (var delay in new[] { 2, 1, 3 }.Take(Depth.Of(1, 3)))
         {
-            AssertNear(kind, kind == "step" ? 1.3 : 1.15, lot => Corrections(lot, delay), lot => lot.ExpectedByTruth(delay));
+            foreach (var kind in new[] { "repeating", "drift", "walk", "outliers", "step" }.Take(Depth.Of(1, 5)))
+            {
+                AssertNear(kind, kind == "step" ? 1.3 : 1.15, lot => Corrections(lot, delay), lot => lot.ExpectedByTruth(delay));
+            }
         }
     }
 
