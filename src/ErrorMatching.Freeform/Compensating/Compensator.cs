@@ -39,6 +39,14 @@ public static class Compensator
             all.Add(piece.Result);
         }
 
+        if (job.Measuring.Without is { Count: > 0 } without)
+        {
+            notes.Add(
+                $"{(without.Count == 1 ? "Point" : "Points")} {ReportNames.Of([.. without.Select(ReportNumber.Count)])} "
+                    + $"{(without.Count == 1 ? "is" : "are")} left out (measuring.without): what is compensated there follows from the "
+                    + "points around.");
+        }
+
         var (alignment, samples) = (all[^1].Alignment, all[^1].Samples);
         var measured = samples;
         var before = DeviationStatistics.Of([.. samples.Select(s => s.ErrorMm)]);

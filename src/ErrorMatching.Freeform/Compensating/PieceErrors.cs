@@ -20,7 +20,13 @@ internal sealed record PieceErrors(string Sha256, SurfaceAlignment? Alignment, I
     public static Outcome<PieceErrors> Of(
         IReadOnlyList<MeasuredPoints> measured, FreeformJob job, PartSurface nominal, List<string> notes, List<ReportWarning> warnings)
     {
+        if (WithoutUnknown(measured, job) is { } unknown)
+        {
+            return unknown;
+        }
+
         var stock = job.Stock.Of(job.Measuring.After);
+        measured = [.. measured.Select(m => m with { Points = [.. m.Points.Where(p => !job.Measuring.Without.Contains(p.Planned.Number))] })];
         var alignment = job.Measuring.BestFit
             ? SurfaceAlignment.BestFit(
                 nominal, [.. measured.SelectMany(m => m.Points).Select(p => (p.Planned, p.Contact))], stock, measured[0].File)
@@ -44,6 +50,15 @@ internal sealed record PieceErrors(string Sha256, SurfaceAlignment? Alignment, I
         return Outlying(samples, repeats, measured, job.Measuring.UncertaintyMm) is { } outlying
             ? outlying
             : new PieceErrors(MeasuredPoints.Sha256Of(measured), alignment, samples);
+    }
+
+    // A number that no point has would leave the bad touch in.
+    private static Refusal? WithoutUnknown(IReadOnlyList<MeasuredPoints> measured, FreeformJob job)
+    {
+        int[] unknown = [.. job.Measuring.Without.Except(measured[0].Points.Select(p => p.Planned.Number))];
+        return unknown.Length == 0 ? null : new("unknown-point", string.Create(
+            CultureInfo.InvariantCulture,
+            $"measuring.without names point {unknown[0]}, and the plan has points 1 to {measured[0].Points.Count}."));
     }
 
     /// <summary>A length with enough digits to show that it exceeds its limit.</summary>
@@ -117,7 +132,7 @@ internal sealed record PieceErrors(string Sha256, SurfaceAlignment? Alignment, I
         return new(
             "outlying-point",
             $"{OutlyingPoint.Words(points)}{mean}: a chip, or a touch gone wrong, and it would be cut into the piece.{place} Clean the "
-                + $"place and the stylus and measure again. If it stays, the error changes there from one point to the next: plan more "
+                + $"place and the stylus and measure again, or take the point out by measuring.without. If it stays, the error changes there from one point to the next: plan more "
                 + $"points.");
     }
 

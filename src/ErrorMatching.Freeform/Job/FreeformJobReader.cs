@@ -13,7 +13,8 @@ internal sealed class FreeformJobReader(JsonItem root)
 
     public FreeformJob Read(string file, string sha256)
     {
-        var (measuring, compensation) = (ReadMeasuring(root["measuring"]), ReadMirror());
+        var (measuring, compensation, fit) = (ReadMeasuring(root["measuring"]), ReadMirror(), ReadFit());
+        CheckWithout(fit);
         return new()
         {
             File = file,
@@ -24,7 +25,7 @@ internal sealed class FreeformJobReader(JsonItem root)
             Stock = ReadStock(),
             Tool = ReadTool(),
             Measuring = measuring,
-            Fit = ReadFit(),
+            Fit = fit,
             Toolpath = ReadToolpath(root["toolpath"]),
             Compensation = compensation,
             Profile = ReadProfile(measuring, compensation),
@@ -118,8 +119,22 @@ internal sealed class FreeformJobReader(JsonItem root)
                 : MeasurementFormat.Recognized,
             After = item.Find("measuredAfter")?.Text == "finishing" ? CuttingStage.Finishing : CuttingStage.SemiFinishing,
             UncertaintyMm = item.Find("uncertaintyMm")?.Number ?? 0.000125,
+            Without = [.. (item.Find("without")?.Items ?? []).Select(i => (int)i.Number).Distinct().Order()],
             BestFit = item.Find("alignment")?.Text == "best-fit",
         };
+    }
+
+    // Lines of points, and surfaces through all of them, have no place for a point that is not there.
+    private void CheckWithout(JobFit fit)
+    {
+        if (root["measuring"].Find("without") is { Items: [var first, ..] } && (fit.Method != FitMethod.Best || !fit.OfError))
+        {
+            Refuse(
+                first,
+                "points-left-out",
+                $"a point left out of a fit by \"{fit.Method.Name}\" of {(fit.OfError ? "the error" : "the points")}",
+                "\"method\": \"best\" and \"of\": \"error\" under \"fit\": the others need every point of the plan");
+        }
     }
 
     private JobFit ReadFit() => root.Find("fit") is not { } item

@@ -58,6 +58,9 @@ public sealed record JobMeasuring
     /// <summary>Standard uncertainty of one measured point along the normal.</summary>
     public required double UncertaintyMm { get; init; }
 
+    /// <summary>Numbers of points that somebody took out, because their reading is wrong: a compensation does not count them.</summary>
+    public IReadOnlyList<int> Without { get; init; } = [];
+
     /// <summary>True if measured points are aligned to the surface by a rigid best fit before the comparison.</summary>
     public required bool BestFit { get; init; }
 }

@@ -17,6 +17,9 @@ public sealed record SurfaceFindings
     /// <summary>The alignment of the points to the surface; null if they were not moved.</summary>
     public required SurfaceAlignment? Alignment { get; init; }
 
+    /// <summary>Numbers of the points that the job leaves out; none in reports of earlier versions.</summary>
+    public IReadOnlyList<string> Without { get; init; } = [];
+
     /// <summary>The motion of the whole piece that explains the most of the errors; null if the points do not tell it or were aligned, and
     /// in older reports.</summary>
     public required SurfaceMotion? Motion { get; init; }
@@ -93,6 +96,7 @@ public sealed record SurfaceFindings
         {
             Verdict = result.Verdict(map),
             CutBy = cutBy,
+            Without = [.. job.Measuring.Without.Select(ReportNumber.Count)],
             Alignment = result.Alignment,
             Motion = result.Motion,
             Stage = job.Measuring.After,
@@ -141,6 +145,7 @@ public sealed record SurfaceFindings
                 json.Text("previous", previous);
             }
         });
+        json.Texts("without", Without);
         EvaluationReportJson.Alignment(json, Alignment);
         if (Motion is { } motion)
         {
@@ -193,6 +198,7 @@ public sealed record SurfaceFindings
         {
             CutBy = new(cutBy?.OptionalText("file"), cutBy?.OptionalText("sha256")) { Previous = cutBy?.OptionalText("previous") },
             Verdict = json.OptionalObject("verdict") is { } verdict ? SurfaceVerdict.Read(verdict) : null,
+            Without = json.OptionalTexts("without"),
             Alignment = EvaluationReportJson.ReadAlignment(json),
             Motion = json.OptionalObject("commonMotion") is { } motion ? SurfaceMotion.Read(motion) : null,
             Stage = json.Word("stage", [CuttingStage.SemiFinishing, CuttingStage.Finishing], MeasuredStage.Name),

@@ -94,6 +94,40 @@ public sealed class FewPointsTests
         Assert.Contains($"likewise off is point {other.Number}", refusal!.Message, StringComparison.Ordinal);
     }
 
+    // The person who finds a chip takes the point out; what is cut there then follows from the points around.
+    [Fact]
+    public void A_bad_point_may_be_taken_out_and_the_rest_is_compensated_as_without_it()
+    {
+        foreach (var piece in Plans)
+        {
+            var (truth, errors) = Draw(piece, DrawnError.Quadratic, 0.0005, 5);
+            var bad = piece.Plan.Points[5];
+            MeasuredPoints Dusty(double mm) => piece.With((u, v) => errors[(u, v)] + ((u, v) == (bad.U, bad.V) ? mm : 0));
+            Assert.Equal("outlying-point", piece.Compensate(Dusty(0.15)).Refusal?.Code);
+            var without = piece.With(piece.Job with { Measuring = piece.Job.Measuring with { Without = [bad.Number] } });
+            var result = without.Compensate(Dusty(0.15)).Result!;
+            Assert.DoesNotContain(result.Samples, s => s.Point == bad.Number);
+            Assert.Equal(piece.Plan.Points.Count - 1, result.Samples.Count);
+            Assert.Contains(result.Notes, n => n.StartsWith($"Point {bad.Number} is left out", StringComparison.Ordinal));
+
+            // Whatever was read there.
+            var other = without.Compensate(Dusty(-0.1)).Result!;
+            Assert.All(piece.Plan.Points, p => Assert.Equal(result.Compensated.At(p.U, p.V), other.Compensated.At(p.U, p.V), 1e-12));
+
+            // The truth of the place that nobody knows, to what its neighbors tell.
+            Assert.Equal(truth(bad.U, bad.V), result.Compensated.At(bad.U, bad.V), Deviation / 2);
+        }
+    }
+
+    [Fact]
+    public void A_point_to_be_taken_out_must_be_one_of_the_plan()
+    {
+        var piece = Plans[0].With(Plans[0].Job with { Measuring = Plans[0].Job.Measuring with { Without = [7, 13] } });
+        var refusal = piece.Compensate(piece.With(MeasuredDesign.Tilted)).Refusal;
+        Assert.Equal("unknown-point", refusal?.Code);
+        Assert.Equal("measuring.without names point 13, and the plan has points 1 to 12.", refusal!.Message);
+    }
+
     // At the margins: what is less than 5 um off, or less than twice the spread of the others, may be the surface.
     [Theory]
     [InlineData(0.0049, 0, false)]

@@ -156,6 +156,27 @@ public sealed class FreeformJobTests
         Assert.Contains(text.Split(' ')[1], problem.Found, StringComparison.Ordinal);
     }
 
+    // Lines of points, and a surface through all of them, have no place for a point that is not there.
+    [Theory]
+    [InlineData("\"method\": \"best\", \"of\": \"error\"", null)]
+    [InlineData("\"method\": \"tensor\", \"of\": \"error\"", "points-left-out")]
+    [InlineData("\"method\": \"best\", \"of\": \"points\"", "points-left-out")]
+    public void A_point_can_be_taken_out_where_the_fit_needs_no_grid(string fit, string? code)
+    {
+        var text = FreeformTemplate.Text
+            .Replace("\"pointsPerCurve\": 10,", "\"pointsPerCurve\": 10, \"without\": [9, 7, 9],", StringComparison.Ordinal)
+            .Replace("\"method\": \"best\", \"of\": \"error\"", fit, StringComparison.Ordinal);
+        Assert.Contains(fit, text, StringComparison.Ordinal);
+        if (code is null)
+        {
+            Assert.Equal([7, 9], Parse(text).Measuring.Without);
+            return;
+        }
+
+        var problem = Assert.Single(Assert.Throws<InputException>(() => Parse(text)).Refusals);
+        Assert.Equal((code, "$.measuring.without[0]"), (problem.Code, problem.Place.Path));
+    }
+
     [Theory]
     [InlineData("\"curves\": 7, \"pointsPerCurve\": 10,", "", "points-missing", "$.measuring")]
     [InlineData(
