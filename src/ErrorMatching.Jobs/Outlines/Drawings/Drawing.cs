@@ -1,0 +1,100 @@
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Jobs;
+
+/// <summary>The curves of a drawing in one plane, in millimeters.</summary>
+/// <param name="File">The file, as given by the caller.</param>
+/// <param name="Unit">The length that the drawing's numbers mean, and who says so.</param>
+/// <param name="Curves">Its curves in the order of the file, those of blocks in their places.</param>
+/// <param name="Notes">What was passed over or closed, in sentences.</param>
+internal sealed record Drawing(string File, DrawingUnit Unit, IReadOnlyList<DrawnCurve> Curves, IReadOnlyList<string> Notes)
+{
+    /// <summary>The names of its layers with curves, in the order of the file.</summary>
+    public IReadOnlyList<string> Layers => [.. Curves.Select(c => c.Layer).Distinct(StringComparer.Ordinal)];
+}
+
+/// <summary>The length that the numbers of a drawing mean.</summary>
+/// <param name="Mm">Millimeters per unit.</param>
+/// <param name="IsStated">True if the file or the caller says so; false if millimeters are taken because nobody does.</param>
+internal readonly record struct DrawingUnit(double Mm, bool IsStated);
+
+/// <summary>A curve of a drawing, from its start to its end.</summary>
+/// <param name="Layer">Its layer.</param>
+/// <param name="Entity">What it is in the file, for messages: <c>LINE at line 120</c>.</param>
+internal abstract record DrawnCurve(string Layer, string Entity)
+{
+    /// <summary>Its start.</summary>
+    public abstract Point2 From { get; }
+
+    /// <summary>Its end.</summary>
+    public abstract Point2 To { get; }
+
+    /// <summary>The same curve from its end to its start.</summary>
+    public abstract DrawnCurve Reversed();
+}
+
+/// <summary>A line.</summary>
+/// <param name="Layer">Its layer.</param>
+/// <param name="Entity">What it is in the file.</param>
+/// <param name="Start">Its start.</param>
+/// <param name="End">Its end.</param>
+internal sealed record DrawnLine(string Layer, string Entity, Point2 Start, Point2 End) : DrawnCurve(Layer, Entity)
+{
+    /// <inheritdoc/>
+    public override Point2 From => Start;
+
+    /// <inheritdoc/>
+    public override Point2 To => End;
+
+    /// <inheritdoc/>
+    public override DrawnCurve Reversed() => this with { Start = End, End = Start };
+}
+
+/// <summary>An arc of a circle, or a whole circle.</summary>
+/// <param name="Layer">Its layer.</param>
+/// <param name="Entity">What it is in the file.</param>
+/// <param name="Center">Its center.</param>
+/// <param name="Radius">Its radius, mm.</param>
+/// <param name="StartAngle">The direction from the center to its start, radians.</param>
+/// <param name="Sweep">The angle that it turns, radians: positive counterclockwise, two pi for a whole circle.</param>
+internal sealed record DrawnArc(string Layer, string Entity, Point2 Center, double Radius, double StartAngle, double Sweep)
+    : DrawnCurve(Layer, Entity)
+{
+    /// <summary>True if it is a whole circle.</summary>
+    public bool IsCircle => Math.Abs(Sweep) > Math.Tau - 1e-9;
+
+    /// <inheritdoc/>
+    public override Point2 From => At(0);
+
+    /// <inheritdoc/>
+    public override Point2 To => At(1);
+
+    /// <summary>The place at a share of its sweep.</summary>
+    public Point2 At(double share)
+    {
+        var (sin, cos) = Elementary.SinCos(StartAngle + (share * Sweep));
+        return Center + new Vector2(Radius * cos, Radius * sin);
+    }
+
+    /// <inheritdoc/>
+    public override DrawnCurve Reversed() => this with { StartAngle = StartAngle + Sweep, Sweep = -Sweep };
+}
+
+/// <summary>A free curve as a polyline that leaves it by no more than <see cref="ChordMm"/>.</summary>
+/// <param name="Layer">Its layer.</param>
+/// <param name="Entity">What it is in the file.</param>
+/// <param name="Points">Two or more places.</param>
+internal sealed record DrawnCourse(string Layer, string Entity, IReadOnlyList<Point2> Points) : DrawnCurve(Layer, Entity)
+{
+    /// <summary>The largest distance of the polyline from its curve, mm.</summary>
+    public const double ChordMm = 0.001;
+
+    /// <inheritdoc/>
+    public override Point2 From => Points[0];
+
+    /// <inheritdoc/>
+    public override Point2 To => Points[^1];
+
+    /// <inheritdoc/>
+    public override DrawnCurve Reversed() => this with { Points = [.. Points.Reverse()] };
+}
