@@ -119,6 +119,25 @@ public static class OutputFile
         Write(path, bytes, [], cancellation);
     }
 
+    /// <summary>Writes new files that belong together: either all appear, in this order, or none does.</summary>
+    /// <param name="files">The files and their contents.</param>
+    /// <param name="inputs">The files that were read.</param>
+    /// <param name="cancellation">Checked last before the first file appears.</param>
+    /// <exception cref="OutputException">A file of one of these names exists, or one cannot be written.</exception>
+    /// <exception cref="OperationCanceledException">Nothing was written.</exception>
+    public static void CreateAll(
+        IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files,
+        IReadOnlyCollection<string> inputs,
+        CancellationToken cancellation)
+    {
+        foreach (var (path, _) in files.Where(f => Path.Exists(f.Path)))
+        {
+            throw new OutputException(OutputException.Exists, path, $"{path} exists and is not overwritten. Name a new file.");
+        }
+
+        WriteAll(files, inputs, cancellation);
+    }
+
     private static T Try<T>(string path, Func<T> work)
     {
         try

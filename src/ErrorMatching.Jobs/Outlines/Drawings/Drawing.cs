@@ -29,6 +29,18 @@ internal abstract record DrawnCurve(string Layer, string Entity)
     /// <summary>Its end.</summary>
     public abstract Point2 To { get; }
 
+    /// <summary>Its length, mm.</summary>
+    public abstract double LengthMm { get; }
+
+    /// <summary>The place at a length from its start.</summary>
+    public abstract Point2 AtLength(double mm);
+
+    /// <summary>The unit vector in which it leaves its start.</summary>
+    public abstract Vector2 DirectionAtStart { get; }
+
+    /// <summary>The unit vector in which it arrives at its end.</summary>
+    public Vector2 DirectionAtEnd => -Reversed().DirectionAtStart;
+
     /// <summary>The same curve from its end to its start.</summary>
     public abstract DrawnCurve Reversed();
 }
@@ -45,6 +57,15 @@ internal sealed record DrawnLine(string Layer, string Entity, Point2 Start, Poin
 
     /// <inheritdoc/>
     public override Point2 To => End;
+
+    /// <inheritdoc/>
+    public override double LengthMm => Start.DistanceTo(End);
+
+    /// <inheritdoc/>
+    public override Vector2 DirectionAtStart => (End - Start).Normalize();
+
+    /// <inheritdoc/>
+    public override Point2 AtLength(double mm) => Start.Lerp(End, mm / LengthMm);
 
     /// <inheritdoc/>
     public override DrawnCurve Reversed() => this with { Start = End, End = Start };
@@ -77,6 +98,15 @@ internal sealed record DrawnArc(string Layer, string Entity, Point2 Center, doub
     }
 
     /// <inheritdoc/>
+    public override double LengthMm => Radius * Math.Abs(Sweep);
+
+    /// <inheritdoc/>
+    public override Vector2 DirectionAtStart => ((From - Center) / Radius).Left * Math.Sign(Sweep);
+
+    /// <inheritdoc/>
+    public override Point2 AtLength(double mm) => At(mm / LengthMm);
+
+    /// <inheritdoc/>
     public override DrawnCurve Reversed() => this with { StartAngle = StartAngle + Sweep, Sweep = -Sweep };
 }
 
@@ -94,6 +124,29 @@ internal sealed record DrawnCourse(string Layer, string Entity, IReadOnlyList<Po
 
     /// <inheritdoc/>
     public override Point2 To => Points[^1];
+
+    /// <inheritdoc/>
+    public override double LengthMm => Points.Zip(Points.Skip(1), (a, b) => a.DistanceTo(b)).Sum();
+
+    /// <inheritdoc/>
+    public override Vector2 DirectionAtStart => (Points[1] - Points[0]).Normalize();
+
+    /// <inheritdoc/>
+    public override Point2 AtLength(double mm)
+    {
+        for (var i = 1; i < Points.Count; i++)
+        {
+            var length = Points[i - 1].DistanceTo(Points[i]);
+            if (mm <= length)
+            {
+                return Points[i - 1].Lerp(Points[i], length > 0 ? mm / length : 0);
+            }
+
+            mm -= length;
+        }
+
+        return To;
+    }
 
     /// <inheritdoc/>
     public override DrawnCurve Reversed() => this with { Points = [.. Points.Reverse()] };

@@ -1,0 +1,336 @@
+using System.Globalization;
+using System.Text;
+using ErrorMatching.Geometry;
+using ErrorMatching.Mating;
+using ErrorMatching.Measurement;
+using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
+using ErrorMatching.Reporting;
+
+namespace ErrorMatching.Jobs;
+
+/// <summary>A mating job made from a drawing and a program: <c>errormatch job new mating --outline</c>. Coordinates are the
+/// drawing's.</summary>
+public sealed record OutlineJob
+{
+    // Limits that somebody has to replace: a drawing does not say them.
+    private const string Limits = "[-0.05, 0.05]";
+
+    // No word of a program says less, mm and degrees.
+    private const int Decimals = 4;
+
+    // In another unit, at least this share of the outline has to be cut before the unit is doubted.
+    private const double LeastOther = 0.6;
+
+    // Rotations nearer than this to quarter turns are those, degrees.
+    private const double QuarterDegrees = 0.01;
+
+    private OutlineJob()
+    {
+    }
+
+    /// <summary>The job.</summary>
+    public required ReadOnlyMemory<byte> Job { get; init; }
+
+    /// <summary>Name of the file of the key points as designed, which belongs beside the job.</summary>
+    public required string TheoreticalFile { get; init; }
+
+    /// <summary>The key points as designed.</summary>
+    public required ReadOnlyMemory<byte> Theoretical { get; init; }
+
+    /// <summary>The layer of the outline.</summary>
+    public required string Layer { get; init; }
+
+    /// <summary>Millimeters in the drawing's unit.</summary>
+    public required double UnitMm { get; init; }
+
+    /// <summary>From the drawing to the program.</summary>
+    public required RigidTransform2 Frame { get; init; }
+
+    /// <summary>Diameter of the tool, mm: given, or found.</summary>
+    public required double ToolDiameterMm { get; init; }
+
+    /// <summary>The share of the outline that the program cuts.</summary>
+    public required double CoveredShare { get; init; }
+
+    /// <summary>Root mean square of how far the key points are from where the program's tool leaves the boundary, mm.</summary>
+    public required double RmsMm { get; init; }
+
+    /// <summary>The largest of it, mm.</summary>
+    public required double LargestMm { get; init; }
+
+    /// <summary>The proposed features: name, kind, number of key points and blocks.</summary>
+    public required IReadOnlyList<(string Name, FeatureKind Kind, int Points, IReadOnlyList<string> Blocks)> Features { get; init; }
+
+    /// <summary>What was left out, or may be otherwise, in sentences.</summary>
+    public required IReadOnlyList<string> Notes { get; init; }
+
+    /// <summary>The files that were read.</summary>
+    public required IReadOnlyList<string> Read { get; init; }
+
+    /// <summary>Makes a job.</summary>
+    /// <returns>The job; a refusal if the drawing cannot be laid on what the program cuts.</returns>
+    /// <exception cref="InputException">A file cannot be opened or read. The layer is not named, or not there.</exception>
+    /// <exception cref="OperationCanceledException">Canceled.</exception>
+    public static Outcome<OutlineJob> Of(OutlineRequest request, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(request);
+        var dialect = InputFile.Dialect(request.Dialect);
+        var path = NcInterpreter.Run(
+            NcProgram.Read(InputFile.Program(request.Program)), dialect, new ProgramFolder(request.Program, []).Find, cancellation);
+        if (path.Refusal is { } refusal)
+        {
+            return refusal.In(request.Program);
+        }
+
+        var cuts = new CutPath(path);
+        if (cuts.IsEmpty)
+        {
+            return new Refusal(
+                "no-cutting-motion",
+                $"{request.Program} cuts nothing in the plane XY of which it says where; expected the program that cuts the outline.");
+        }
+
+        if (cuts.IsCompensated != false && request.ToolDiameterMm is null)
+        {
+            throw InputException.At(
+                "tool-diameter-missing",
+                request.Program,
+                "the control offsets the tool there (G41 or G42), so the path does not tell the tool. Give --tool-diameter.");
+        }
+
+        var drawing = DrawingReader.Read(request.Drawing, request.UnitMm);
+        var layer = LayerOf(drawing, request.Layer);
+        var chains = Chains(drawing, layer);
+        var elements = chains.SelectMany(c => c).ToArray();
+        if (OutlineLaying.Of(elements, cuts, request.ToolDiameterMm / 2) is not { } laying)
+        {
+            return NotLaid(request, drawing, layer, cuts);
+        }
+
+        var notes = drawing.Notes.ToList();
+        laying = laying with { Frame = Rounded(laying.Frame), RadiusMm = Math.Round(laying.RadiusMm, 2) };
+        if (laying.Others > 0)
+        {
+            notes.Add(
+                $"The outline can be laid on the program in {laying.Others + 1} ways; this one moves it least. Look at the frame: a wrong "
+                    + "one puts every correction at a wrong place.");
+        }
+
+        if (laying.CoveredShare < 0.98)
+        {
+            notes.Add(FormattableString.Invariant($"The program cuts {laying.CoveredShare:0 %} of the outline; features are proposed there."));
+        }
+
+        var features = chains.SelectMany(c => OutlineFeature.Of(c, laying, cuts, notes)).OrderBy(f => f.Motion).Select(f => f.Feature);
+        var made = WithBlocks(request, path, cuts, layer, drawing.Unit.Mm, laying, [.. Named(features)], notes);
+        return made.IsUsable || UnitOf(request, drawing, layer, cuts) is not { } unit ? made : unit;
+    }
+
+    private static OutlineElement[][] Chains(Drawing drawing, string layer) =>
+        [.. OutlineChain.Of([.. drawing.Curves.Where(c => c.Layer == layer)]).Select(c => OutlineElement.Of(c).ToArray())];
+
+    private static string LayerOf(Drawing drawing, string? layer)
+    {
+        var layers = string.Join(", ", drawing.Layers.Select(
+            l => $"{PrintedText.OneLine(l)} ({ReportNumber.Count(drawing.Curves.Count(c => c.Layer == l), "curve")})"));
+        if (layer is null)
+        {
+            return drawing.Layers.Count == 1 ? drawing.Layers[0]
+                : throw InputException.At("layer-missing", drawing.File, $"it has the layers {layers}. Name the one that mates by --layer.");
+        }
+
+        return drawing.Layers.Contains(layer, StringComparer.Ordinal) ? layer
+            : throw InputException.At(
+                "layer-unknown", drawing.File, $"it has no curve on the layer {PrintedText.OneLine(layer)}; expected one of {layers}.");
+    }
+
+    // The same drawing in another unit may be what was meant: then that is said, and not taken.
+    private static Refusal? UnitOf(OutlineRequest request, Drawing drawing, string layer, CutPath cuts)
+    {
+        foreach (var (mm, word) in new[] { (1.0, "mm"), (25.4, "inch") }.Where(u => Math.Abs(u.Item1 - drawing.Unit.Mm) > 1e-9))
+        {
+            var other = DrawingReader.Read(request.Drawing, mm);
+            if (OutlineLaying.Of([.. Chains(other, layer).SelectMany(c => c)], cuts, request.ToolDiameterMm / 2) is { CoveredShare: > LeastOther })
+            {
+                return new(
+                    "drawing-unit",
+                    string.Create(
+                        CultureInfo.InvariantCulture,
+                        $"{request.Drawing} {(drawing.Unit.IsStated ? "says that its unit is" : "does not say its unit; it was tried as")} "
+                            + $"{drawing.Unit.Mm:0.######} mm, and lies on the program only in {word}. If that is meant, give --unit {word}."));
+            }
+        }
+
+        return null;
+    }
+
+    private static Refusal NotLaid(OutlineRequest request, Drawing drawing, string layer, CutPath cuts) =>
+        UnitOf(request, drawing, layer, cuts) ?? new(
+            "outline-not-laid",
+            $"No way was found to lay the layer {PrintedText.OneLine(layer)} of {request.Drawing} on what {request.Program} cuts: less than half "
+                + "of it would be one tool radius from the path. Check the layer, the program and --tool-diameter.");
+
+    private static RigidTransform2 Rounded(RigidTransform2 frame)
+    {
+        var degrees = Math.Round(frame.Rotation.Degrees, Decimals);
+        var quarter = 90 * Math.Round(degrees / 90);
+        degrees = Math.Abs(degrees - quarter) < QuarterDegrees ? quarter : degrees;
+        return new(
+            frame.Mirror,
+            Angle.FromDegrees(degrees == -180 ? 180 : degrees + 0.0),
+            new(Math.Round(frame.Translation.X, Decimals) + 0.0, Math.Round(frame.Translation.Y, Decimals) + 0.0));
+    }
+
+    private static IEnumerable<(string Name, OutlineFeature Feature, IReadOnlyList<IReadOnlyList<(string Label, Point2 At)>> Lists)> Named(
+        IEnumerable<OutlineFeature> features)
+    {
+        var (counts, label) = (new Dictionary<FeatureKind, int>(), 0);
+        foreach (var feature in features)
+        {
+            counts[feature.Kind] = counts.GetValueOrDefault(feature.Kind) + 1;
+            yield return (
+                feature.Kind.Letter + counts[feature.Kind].ToString(CultureInfo.InvariantCulture),
+                feature,
+                [.. feature.Lists.Select(l => (IReadOnlyList<(string, Point2)>)[
+                    .. l.Select(p => ((++label).ToString(CultureInfo.InvariantCulture), p))])]);
+        }
+    }
+
+    // What a match would refuse is not proposed.
+    private static Outcome<OutlineJob> WithBlocks(
+        OutlineRequest request,
+        NcPath path,
+        CutPath cuts,
+        string layer,
+        double unitMm,
+        OutlineLaying laying,
+        (string Name, OutlineFeature Feature, IReadOnlyList<IReadOnlyList<(string Label, Point2 At)>> Lists)[] features,
+        List<string> notes)
+    {
+        var diameter = request.ToolDiameterMm ?? 2 * laying.RadiusMm;
+        SoughtBoundary[] sought = [
+            .. features.Select(f => new SoughtBoundary(
+                f.Name, CoordinatePlane.XY, [.. f.Lists.SelectMany(l => l).Select(p => (p.Label, laying.Frame.Apply(p.At)))])
+            {
+                Kind = f.Feature.Kind,
+            })];
+        var found = BlockProposal.Of(path, sought, diameter, JobCounterpart.DefaultMapMm);
+        var kept = new List<(string Name, FeatureKind Kind, IReadOnlyList<IReadOnlyList<(string Label, Point2 At)>> Lists,
+            IReadOnlyList<string> Blocks)>();
+        for (var f = 0; f < features.Length; f++)
+        {
+            var candidate = (features[f].Name, features[f].Feature.Kind, features[f].Lists, found[f].Blocks);
+            if ((found[f].Refusal ?? Tried(candidate)) is { } refusal)
+            {
+                notes.Add($"{features[f].Name} is left out: {refusal.Message}");
+                continue;
+            }
+
+            kept.Add(candidate);
+        }
+
+        if (kept.Count == 0)
+        {
+            return new Refusal(
+                "outline-not-laid", $"No feature can be proposed. {string.Join(" ", notes)}".TrimEnd());
+        }
+
+        double[] offs = [.. kept.SelectMany(k => k.Lists).SelectMany(l => l).Select(
+            p => cuts.FootOf(laying.Frame.Apply(p.At), laying.RadiusMm + JobCounterpart.DefaultMapMm) is { } foot
+                ? foot.DistanceMm - (foot.IsCompensated ? 0 : laying.RadiusMm)
+                : JobCounterpart.DefaultMapMm)];
+        var table = Table(kept.SelectMany(k => k.Lists).SelectMany(l => l));
+        var name = Path.GetFileNameWithoutExtension(request.Job) + "-theoretical.csv";
+        if (Path.GetFileName(request.Job) is "job.json")
+        {
+            name = "theoretical.csv";
+        }
+
+        return new OutlineJob
+        {
+            Job = Encoding.UTF8.GetBytes(Text(name, kept)),
+            TheoreticalFile = name,
+            Theoretical = table,
+            Layer = layer,
+            UnitMm = unitMm,
+            Frame = laying.Frame,
+            ToolDiameterMm = diameter,
+            CoveredShare = laying.CoveredShare,
+            RmsMm = Math.Sqrt(offs.Average(o => o * o)),
+            LargestMm = offs.Max(Math.Abs),
+            Features = [.. kept.Select(k => (k.Name, k.Kind, k.Lists.Sum(l => l.Count), k.Blocks))],
+            Notes = notes,
+            Read = [request.Drawing, request.Program],
+        };
+
+        Refusal? Tried(
+            (string Name, FeatureKind Kind, IReadOnlyList<IReadOnlyList<(string Label, Point2 At)>> Lists, IReadOnlyList<string> Blocks) one)
+        {
+            var job = MatingJob.Parse(Encoding.UTF8.GetBytes(Text("theoretical.csv", [one])), request.Job);
+            var theoretical = MeasurementReader.Read(
+                Table(one.Lists.SelectMany(l => l)), "theoretical.csv", MeasurementFormat.Points);
+            return BoundarySearch.Try(job, path, theoretical, 0, one.Blocks);
+        }
+
+        string Text(
+            string file,
+            IReadOnlyList<(string Name, FeatureKind Kind, IReadOnlyList<IReadOnlyList<(string Label, Point2 At)>> Lists,
+                IReadOnlyList<string> Blocks)> of) =>
+            JobText(request, laying.Frame, diameter, file, of);
+    }
+
+    private static byte[] Table(IEnumerable<(string Label, Point2 At)> points) => Encoding.ASCII.GetBytes(
+        "point,x_mm,y_mm\n" + string.Concat(points.Select(p => string.Create(
+            CultureInfo.InvariantCulture, $"{p.Label},{p.At.X:0.0000##},{p.At.Y:0.0000##}\n"))));
+
+    private static string JobText(
+        OutlineRequest request,
+        RigidTransform2 frame,
+        double diameter,
+        string theoretical,
+        IReadOnlyList<(string Name, FeatureKind Kind, IReadOnlyList<IReadOnlyList<(string Label, Point2 At)>> Lists,
+            IReadOnlyList<string> Blocks)> features)
+    {
+        var folder = Path.GetDirectoryName(Path.GetFullPath(request.Job))!;
+        var text = new StringBuilder();
+        text.Append(CultureInfo.InvariantCulture, $$"""
+            // A mating job made from {{Path.GetFileName(request.Drawing).ReplaceLineEndings(" ")}}. Lengths in millimeters, angles in degrees.
+            // To be replaced: the limits (toleranceMm), the gauge's uncertainty, and the name of the measured file.
+            {
+              "kind": "mating",
+              "name": {{JsonEdit.Text(Path.GetFileNameWithoutExtension(request.Job))}},
+              "part": { "theoretical": {{JsonEdit.Text(theoretical)}}, "measured": "part.csv" },
+              "gauge": { "format": "points", "uncertaintyMm": 0.005 },
+              "features": [
+
+            """);
+        foreach (var (name, kind, lists, blocks) in features)
+        {
+            var points = lists.Count == 1 ? Labels(lists[0]) : "[" + string.Join(", ", lists.Select(Labels)) + "]";
+            text.Append(
+                CultureInfo.InvariantCulture,
+                $$"""    { "name": {{JsonEdit.Text(name)}}, "kind": "{{kind.Word}}", "points": {{points}}, "blocks": {{JsonEdit.List(blocks)}}, "toleranceMm": {{Limits}} },""")
+                .Append('\n');
+        }
+
+        return text.Append(CultureInfo.InvariantCulture, $$"""
+              ],
+              "counterpart": {
+                "program": {{JsonEdit.Text(FromFolder(request.Program))}},
+                "dialect": {{JsonEdit.Text(NcDialects.IsFile(request.Dialect) ? FromFolder(request.Dialect) : request.Dialect)}},
+                "toolDiameterMm": {{Number(diameter)}},
+                "frame": { "mirror": "{{frame.Mirror.ToString().ToLowerInvariant()}}", "rotateDeg": {{Number(frame.Rotation.Degrees)}}, "translateMm": [{{Number(frame.Translation.X)}}, {{Number(frame.Translation.Y)}}] }
+              }
+            }
+
+            """).ToString().ReplaceLineEndings("\n");
+
+        static string Labels(IReadOnlyList<(string Label, Point2 At)> list) =>
+            JsonEdit.List(list.Count > 2 ? [$"{list[0].Label}..{list[^1].Label}"] : list.Select(p => p.Label));
+
+        static string Number(double value) => value.ToString("0.######", CultureInfo.InvariantCulture);
+
+        string FromFolder(string file) => Path.GetRelativePath(folder, Path.GetFullPath(file)).Replace('\\', '/');
+    }
+}

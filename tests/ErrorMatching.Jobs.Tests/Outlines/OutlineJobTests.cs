@@ -1,0 +1,162 @@
+using System.Globalization;
+using System.Text;
+using ErrorMatching.Geometry;
+using ErrorMatching.Mating;
+using ErrorMatching.Measurement;
+using ErrorMatching.Refusals;
+
+namespace ErrorMatching.Jobs.Tests;
+
+/// <summary>Jobs that are made from a drawing and a program: what is found is what was hidden, and what cannot be found is said.</summary>
+public sealed class OutlineJobTests : IDisposable
+{
+    // An outline without symmetry, and its program at 4 mm from it: the corners are where the offset lines meet, by hand.
+    private const string Program =
+        "%\nO1\nN10 G21 G17 G40 G90 G54\nN20 G0 X-20. Y-4.\nN30 G1 Z-5. F200.\nN40 X44. F500.\nN50 Y14.\nN60 X30.\nN70 Y34.\nN80 X-4.\n"
+            + "N90 Y-20.\nN100 G0 Z50.\nN110 M30\n%\n";
+
+    private static readonly Point2[] Outline = [new(0, 0), new(40, 0), new(40, 10), new(26, 10), new(26, 30), new(0, 30)];
+
+    private readonly string _folder = Directory.CreateTempSubdirectory("outline").FullName;
+
+    public void Dispose() => Directory.Delete(_folder, recursive: true);
+
+    [Theory]
+    [InlineData(Mirror.None, 0, 0, 0)]
+    [InlineData(Mirror.None, 90, 12.5, -7)]
+    [InlineData(Mirror.None, -137.3, 1000, 42)]
+    [InlineData(Mirror.X, 0, 0, 0)]
+    [InlineData(Mirror.X, 61.25, -300, 420)]
+    public void The_frame_that_was_hidden_is_found_with_the_tool(Mirror mirror, double degrees, double x, double y)
+    {
+        var hidden = new RigidTransform2(mirror, Angle.FromDegrees(degrees), new(x, y));
+        var made = Made(Polygon([.. Outline.Select(hidden.Inverse().Apply)]));
+        Assert.Equal(8, made.ToolDiameterMm, 1e-9);
+        Assert.All(Outline, p => Assert.Equal(0, made.Frame.Apply(hidden.Inverse().Apply(p)).DistanceTo(p), 2e-4));
+        Assert.Equal(mirror, made.Frame.Mirror);
+        Assert.InRange(made.LargestMm, 0, 2e-4);
+        Assert.Equal(["N40", "N50", "N60", "N70", "N80", "N90"], made.Features.SelectMany(f => f.Blocks));
+        Assert.All(made.Features, f => Assert.Equal("line", f.Kind.Word));
+
+        // Every key point, in the program, is on the outline.
+        var job = MatingJob.Parse(made.Job.Span, "job.json");
+        var points = MeasurementReader.Read(made.Theoretical, "theoretical.csv", MeasurementFormat.Points);
+        Assert.All(job.KeyPoints, k =>
+        {
+            var at = job.Counterpart.PlaceOf(points[k], CoordinatePlane.XY, "theoretical.csv");
+            Assert.Equal(0, Enumerable.Range(0, 6).Min(s => new Segment2(Outline[s], Outline[(s + 1) % 6]).DistanceTo(at)), 2e-4);
+        });
+    }
+
+    [Fact]
+    public void A_bore_is_a_circle_and_a_key_is_a_slot()
+    {
+        var bore = Made(
+            Dxf(("CIRCLE", [10, 100, 20, 50, 40, 20])),
+            "G21 G17 G90 G40\nN10 G0 X0. Y0.\nN20 G1 Z-5. F100.\nN30 X17. F500.\nN40 G3 X17. Y0. I-17. J0.\nN50 G1 X0.\nN60 G0 Z9.\nM30\n",
+            tool: 6);
+        var circle = Assert.Single(bore.Features);
+        Assert.Equal(("circle", 8), (circle.Kind.Word, circle.Points));
+        Assert.Equal(["N40"], circle.Blocks);
+        Assert.Equal((-100.0, -50.0), (bore.Frame.Translation.X, bore.Frame.Translation.Y));
+
+        var key = Made(
+            Dxf(
+                ("LINE", [10, -20, 20, -10, 11, 20, 21, -10]),
+                ("ARC", [10, 20, 20, 0, 40, 10, 50, 270, 51, 90]),
+                ("LINE", [10, 20, 20, 10, 11, -20, 21, 10]),
+                ("ARC", [10, -20, 20, 0, 40, 10, 50, 90, 51, 270])),
+            "G21 G17 G90 G40\nN10 G0 X0. Y-25.\nN20 G1 Z-8. F200.\nN30 Y-13. F500.\nN40 X-20.\nN50 G2 X-20. Y13. J13.\nN60 G1 X20.\n"
+                + "N70 G2 X20. Y-13. J-13.\nN80 G1 X0.\nN90 Y-25.\nN100 G0 Z50.\nM30\n");
+        var slot = Assert.Single(key.Features);
+        Assert.Equal(("slot", 8), (slot.Kind.Word, slot.Points));
+        Assert.Equal(6, key.ToolDiameterMm, 1e-9);
+
+        // A slot turned by half a turn is the same, and nobody can tell which way the drawing lies.
+        Assert.Contains(key.Notes, n => n.Contains("2 ways", StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public void A_drawing_in_another_unit_is_asked_about_and_not_guessed()
+    {
+        var inches = Polygon([.. Outline.Select(p => new Point2(p.X / 25.4, p.Y / 25.4))]);
+        var refusal = Assert.Single(Make(inches).Refusals);
+        Assert.Equal("drawing-unit", refusal.Code);
+        Assert.EndsWith("If that is meant, give --unit inch.", refusal.Message, StringComparison.Ordinal);
+        Assert.Equal(6, Made(inches, unit: 25.4).Features.Count);
+    }
+
+    [Fact]
+    public void A_drawing_of_something_else_is_refused()
+    {
+        var refusal = Assert.Single(Make(Polygon([new(0, 0), new(300, 10), new(280, 200), new(-20, 90)])).Refusals);
+        Assert.Equal("outline-not-laid", refusal.Code);
+    }
+
+    [Fact]
+    public void The_layer_has_to_be_named_where_there_are_several()
+    {
+        var two = Polygon(Outline).Replace(
+            "0\nENDSEC\n0\nEOF", "0\nLINE\n8\nFRAME\n10\n0\n20\n0\n11\n9\n21\n9\n0\nENDSEC\n0\nEOF", StringComparison.Ordinal);
+        var missing = Assert.Throws<InputException>(() => Make(two));
+        Assert.Equal("layer-missing", missing.Code);
+        Assert.Contains("OUTLINE (6 curves), FRAME (1 curve)", missing.Problem, StringComparison.Ordinal);
+        Assert.Equal("layer-unknown", Assert.Throws<InputException>(() => Make(two, layer: "outline")).Code);
+        Assert.Equal(6, Made(two, layer: "OUTLINE").Features.Count);
+    }
+
+    // Under compensation the path is the boundary, and only a person knows the tool.
+    [Fact]
+    public void A_program_with_compensation_does_not_tell_the_tool()
+    {
+        const string Compensated =
+            "G21 G17 G90 G40\nN10 G0 X-40. Y-20.\nN20 G1 G42 D1 X-20. Y0. F500.\nN30 X40.\nN40 Y10.\nN50 X26.\nN60 Y30.\nN70 X0.\nN80 Y-20.\n"
+                + "N90 G40 Y-40.\nM30\n";
+        Assert.Equal("tool-diameter-missing", Assert.Throws<InputException>(() => Make(Polygon(Outline), Compensated)).Code);
+        Assert.Equal(6, Made(Polygon(Outline), Compensated, tool: 8).Features.Count);
+    }
+
+    [Fact]
+    public void What_the_program_does_not_cut_gets_no_feature_and_is_named()
+    {
+        var made = Made(Polygon(Outline), Program.Replace("N80 X-4.\nN90 Y-20.\n", "", StringComparison.Ordinal), tool: 8);
+        Assert.Equal(4, made.Features.Count);
+        Assert.Equal(2, made.Notes.Count(n => n.Contains("is left out", StringComparison.Ordinal)));
+    }
+
+    private OutlineJob Made(
+        string drawing, string program = Program, double? tool = null, double? unit = null, string? layer = null) =>
+        Assert.IsType<OutlineJob>(Make(drawing, program, tool, unit, layer).Result);
+
+    private Outcome<OutlineJob> Make(
+        string drawing, string program = Program, double? tool = null, double? unit = null, string? layer = null)
+    {
+        var (dxf, nc) = (Path.Combine(_folder, "outline.dxf"), Path.Combine(_folder, "program.nc"));
+        File.WriteAllText(dxf, drawing);
+        File.WriteAllText(nc, program);
+        return OutlineJob.Of(
+            new(Path.Combine(_folder, "job.json"), dxf, nc, "fanuc") { ToolDiameterMm = tool, UnitMm = unit, Layer = layer },
+            TestContext.Current.CancellationToken);
+    }
+
+    private static string Polygon(Point2[] corners) => Dxf([
+        .. corners.Select((p, i) => (
+            "LINE",
+            new[] { 10, p.X, 20, p.Y, 11, corners[(i + 1) % corners.Length].X, 21, corners[(i + 1) % corners.Length].Y }))]);
+
+    // Entities with pairs of group code and value.
+    private static string Dxf(params (string Entity, double[] Pairs)[] entities)
+    {
+        var text = new StringBuilder("0\nSECTION\n2\nENTITIES\n");
+        foreach (var (entity, pairs) in entities)
+        {
+            text.Append("0\n").Append(entity).Append("\n8\nOUTLINE\n");
+            foreach (var pair in pairs.Chunk(2))
+            {
+                text.Append(CultureInfo.InvariantCulture, $"{pair[0]:0}\n{pair[1]:R}\n");
+            }
+        }
+
+        return text.Append("0\nENDSEC\n0\nEOF\n").ToString();
+    }
+}
