@@ -142,6 +142,14 @@ public sealed class DxfCurvesTests
     }
 
     [Fact]
+    public void A_spline_of_pieces_with_poles_of_their_own_is_one_curve()
+    {
+        var drawing = DxfSample.Of(DxfSample.Entity(
+            "SPLINE", "0", 71, 1, 40, 0, 40, 0, 40, 1, 40, 1, 40, 2, 40, 2, 10, 0, 20, 0, 10, 1, 20, 0, 10, 1, 20, 0, 10, 5, 20, 7)).Read();
+        Assert.Equal([new Point2(0, 0), new(1, 0), new(5, 7)], Assert.IsType<DrawnCourse>(drawing.Curves[0]).Points);
+    }
+
+    [Fact]
     public void A_plane_seen_from_below_turns_X_around()
     {
         var drawing = DxfSample.Of(

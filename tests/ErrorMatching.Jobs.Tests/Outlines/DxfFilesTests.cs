@@ -16,7 +16,8 @@ public sealed class DxfFilesTests
             "1071 5",
             .. DxfSample.Entity("ARC", "0", 10, 1, 20, 1, 40, 2, 50, 10, 51, 200),
             .. DxfSample.Entity("LWPOLYLINE", "OUTLINE", 90, 3, 70, 1, 10, 0, 20, 0, 42, 0.5, 10, 4, 20, 0, 10, 4, 20, 9),
-            .. DxfSample.Entity("SPLINE", "0", 71, 2, 72, 6, 73, 3, 40, 0, 40, 0, 40, 0, 40, 1, 40, 1, 40, 1, 10, 0, 20, 0, 10, 5, 20, 9, 10, 9, 20, 0),
+            .. DxfSample.Entity("SPLINE", "0", 71, 2, 72, 6, 73, 3, 40, 0, 40, 0, 40, 0, 40, 1, 40, 1, 40, 1),
+            "10 0", "20 0", "10 5", "20 9", "10 9", "20 0",
             .. DxfSample.Entity("INSERT", "0", 10, 7, 20, 7), "2 B",
             .. DxfSample.Entity("ELLIPSE", "0", 10, 1, 20, 1, 11, 2, 21, 1, 40, 0.5, 41, 0, 42, 3, 230, 1),
         ]);
@@ -91,7 +92,8 @@ public sealed class DxfFilesTests
         var drawing = new DxfSample()
             .Layer("Cut").Layer("Off", color: -3).Layer("Frozen", flags: 1).Layer("Locked", flags: 4)
             .Block("B", 0, 0, [
-                .. DxfSample.Entity("LINE", "0", 10, 0, 20, 0, 11, 1, 21, 0), .. DxfSample.Entity("LINE", "CUT", 10, 0, 20, 0, 11, 2, 21, 0)])
+                .. DxfSample.Entity("LINE", "0", 10, 0, 20, 0, 11, 1, 21, 0),
+                .. DxfSample.Entity("LINE", "CUT", 10, 0, 20, 0, 11, 2, 21, 0)])
             .Entities(
             [
                 .. DxfSample.Entity("LINE", "cut", 10, 0, 20, 0, 11, 3, 21, 0),
@@ -152,7 +154,8 @@ public sealed class DxfFilesTests
     [InlineData("ANSI_936", 936, "联通")]
     public void Names_of_layers_are_in_the_code_page_of_the_header(string page, int number, string name)
     {
-        var sample = DxfSample.Of(DxfSample.Entity("LINE", name, 10, 0, 20, 0, 11, 3, 21, 0)).Header("9 $ACADVER", "1 AC1015", "9 $DWGCODEPAGE", "3 " + page);
+        var sample = DxfSample.Of(DxfSample.Entity("LINE", name, 10, 0, 20, 0, 11, 3, 21, 0))
+            .Header("9 $ACADVER", "1 AC1015", "9 $DWGCODEPAGE", "3 " + page);
         var encoding = CodePagesEncodingProvider.Instance.GetEncoding(number)!;
         Assert.Equal([name], DxfReader.Read(encoding.GetBytes(sample.Text()), "part.dxf", null).Layers);
     }
@@ -161,9 +164,25 @@ public sealed class DxfFilesTests
     public void Names_of_layers_may_be_in_UTF_8_or_escaped()
     {
         var sample = DxfSample.Of(
-            [.. DxfSample.Entity("LINE", "Außen", 10, 0, 20, 0, 11, 3, 21, 0), .. DxfSample.Entity("LINE", @"A\U+00DFen", 10, 0, 20, 0, 11, 3, 21, 0)]);
+        [
+            .. DxfSample.Entity("LINE", "Außen", 10, 0, 20, 0, 11, 3, 21, 0),
+            .. DxfSample.Entity("LINE", @"A\U+00DFen", 10, 0, 20, 0, 11, 3, 21, 0),
+        ]);
         Assert.Equal(["Außen", "Aßen"], sample.Header("9 $ACADVER", "1 AC1032", "9 $DWGCODEPAGE", "3 ANSI_1252").Read().Layers);
     }
+
+    [Fact]
+    public void A_header_that_ends_twice_is_one_header()
+    {
+        // As dxflib 2.0 writes it.
+        var text = DxfSample.Of(DxfSample.Entity("LINE", "0", 10, 0, 20, 0, 11, 2, 21, 0)).Header("9 $ACADVER", "1 AC1015").Unit(1).Text()
+            .Replace("  9\n$INSUNITS", "  0\nENDSEC\n  9\n$INSUNITS", StringComparison.Ordinal);
+        Assert.Equal(new DrawingUnit(25.4, true), DxfReader.Read(Encoding.UTF8.GetBytes(text), "part.dxf", null).Unit);
+    }
+
+    [Fact]
+    public void Blocks_without_names_are_no_error() => Assert.Single(
+        DxfSample.Of(DxfSample.Entity("LINE", "0", 10, 0, 20, 0, 11, 2, 21, 0)).Block("", 0, 0).Block("", 0, 0).Read().Curves);
 
     [Fact]
     public void Data_of_other_programs_in_an_entity_is_no_geometry()

@@ -23,7 +23,8 @@ internal sealed class DxfSample
 
     public DxfSample Block(string name, double x, double y, params string[] entities)
     {
-        Add(_blocks, "0 BLOCK", "8 0", "2 " + name, "70 0", FormattableString.Invariant($"10 {x:r}"), FormattableString.Invariant($"20 {y:r}"));
+        Add(_blocks, "0 BLOCK", "8 0", "2 " + name, "70 0");
+        Add(_blocks, FormattableString.Invariant($"10 {x:r}"), FormattableString.Invariant($"20 {y:r}"));
         Add(_blocks, entities);
         return Add(_blocks, "0 ENDBLK", "8 0");
     }
@@ -91,7 +92,7 @@ internal sealed class DxfSample
                 case >= 60 and < 80:
                     writer.Write(short.Parse(value, CultureInfo.InvariantCulture));
                     break;
-                case >= 90 and < 100:
+                case >= 90 and < 100 or 1071:
                     writer.Write(int.Parse(value, CultureInfo.InvariantCulture));
                     break;
                 case >= 310 and < 320:

@@ -1,5 +1,4 @@
 using System.Globalization;
-using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Jobs;
 

@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Text;
-using ErrorMatching.Geometry;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Jobs;
@@ -27,6 +26,13 @@ internal sealed class DxfFile
         (Groups, _notes) = (groups, notes);
         for (Groups.Next(); !IsKind("EOF"u8); Groups.Next())
         {
+            if (Groups.Code == 9)
+            {
+                // Old versions of dxflib end the header's section twice.
+                Header();
+                continue;
+            }
+
             if (!IsKind("SECTION"u8))
             {
                 throw Unexpected("a section (SECTION) or the end of the file (EOF)");
@@ -216,7 +222,8 @@ internal sealed class DxfFile
             }
 
             var block = new DxfBlock(name) { Base = new(x, y), IsExternal = (flags & 4) != 0 };
-            if (!_blocks.TryAdd(name, block))
+            // Nothing can insert a block without a name.
+            if (name.Length > 0 && !_blocks.TryAdd(name, block))
             {
                 throw Groups.FailAt(
                     "bad-structure", place, $"a second block {DxfLimits.Quote(name)}; blocks with different names are expected");

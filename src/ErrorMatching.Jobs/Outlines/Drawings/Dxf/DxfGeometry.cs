@@ -51,7 +51,8 @@ internal sealed class DxfGeometry(DxfFile file, DxfNotes notes)
         _values.Read(entity);
         var name = _values.Name(2, file) ?? throw Fail(entity, "bad-record", "no name of a block in group 2; one is expected");
         var block = file.Block(name)
-            ?? throw Fail(entity, "bad-block", $"block {DxfLimits.Quote(name)}, which the file does not have; one of its blocks is expected");
+            ?? throw Fail(
+                entity, "bad-block", $"block {DxfLimits.Quote(name)}, which the file does not have; a block of the file is expected");
         var (columns, rows) = (_values.Integer(70, 1), _values.Integer(71, 1));
         (columns, rows) = (columns == 0 ? 1 : columns, rows == 0 ? 1 : rows);
         if (columns < 0 || rows < 0 || (long)columns * rows > DxfLimits.MaxVisits)
@@ -189,7 +190,7 @@ internal sealed class DxfGeometry(DxfFile file, DxfNotes notes)
         return Joined(vertices, (_values.Integer(70, 0) & 1) != 0, plane);
     }
 
-    private IReadOnlyList<DxfShape> Polyline(DxfEntity entity, in DxfMap plane)
+    private DxfShape[] Polyline(DxfEntity entity, in DxfMap plane)
     {
         const int Closed = 1, Space = 8, Meshes = 16 | 64, Frame = 16, SplineFit = 8;
         var flags = _values.Integer(70, 0);

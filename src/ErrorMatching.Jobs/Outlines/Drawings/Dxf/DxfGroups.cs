@@ -149,7 +149,7 @@ internal sealed class DxfGroups
         var text = TextLine();
         if (!Utf8Parser.TryParse(text, out int code, out var used) || used != text.Length || code is < -5 or > 1071)
         {
-            if (text.IsEmpty && _bytes.AsSpan(_at).IndexOfAnyExcept(" \t\r\n\x1a\0"u8) < 0)
+            if (text.IsEmpty && _bytes.AsSpan(_at).TrimStart(" \t\r\n\x1a\0"u8).IsEmpty)
             {
                 throw CutOff();
             }

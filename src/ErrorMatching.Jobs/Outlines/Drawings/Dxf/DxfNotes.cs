@@ -2,40 +2,6 @@ using System.Globalization;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>What a reader does not take as it is.</summary>
-internal enum DxfNote
-{
-    /// <summary>Entities in paper space.</summary>
-    Paper,
-
-    /// <summary>Entities that are not shown.</summary>
-    Invisible,
-
-    /// <summary>Curves that are points.</summary>
-    NoLength,
-
-    /// <summary>Circles and ellipses without a size.</summary>
-    NoSize,
-
-    /// <summary>Planar entities in a plane that is not parallel to XY.</summary>
-    Tilted,
-
-    /// <summary>Curves whose points differ in Z.</summary>
-    Sloped,
-
-    /// <summary>Polylines with a width.</summary>
-    Wide,
-
-    /// <summary>Polylines that a CAD system computed from a spline.</summary>
-    Approximated,
-
-    /// <summary>Meshes of POLYLINE.</summary>
-    Mesh,
-
-    /// <summary>Blocks in other files.</summary>
-    External,
-}
-
 /// <summary>Counts what is passed over, for one sentence for each reason.</summary>
 internal sealed class DxfNotes
 {
@@ -124,4 +90,38 @@ internal sealed class DxfNotes
         string.Join(", ", counts.Select(c => c.Key.Length > 0
             ? show(c.Value, c.Key)
             : string.Create(CultureInfo.InvariantCulture, $"{c.Value} others")));
+}
+
+/// <summary>What a reader does not take as it is.</summary>
+internal enum DxfNote
+{
+    /// <summary>Entities in paper space.</summary>
+    Paper,
+
+    /// <summary>Entities that are not shown.</summary>
+    Invisible,
+
+    /// <summary>Curves that are points.</summary>
+    NoLength,
+
+    /// <summary>Circles and ellipses without a size.</summary>
+    NoSize,
+
+    /// <summary>Planar entities in a plane that is not parallel to XY.</summary>
+    Tilted,
+
+    /// <summary>Curves whose points differ in Z.</summary>
+    Sloped,
+
+    /// <summary>Polylines with a width.</summary>
+    Wide,
+
+    /// <summary>Polylines that a CAD system computed from a spline.</summary>
+    Approximated,
+
+    /// <summary>Meshes of POLYLINE.</summary>
+    Mesh,
+
+    /// <summary>Blocks in other files.</summary>
+    External,
 }

@@ -93,7 +93,8 @@ internal sealed class DxfPen(DxfGroups groups, DxfNotes notes)
         if (_points > DxfLimits.MaxPoints)
         {
             throw Fail("too-large", string.Create(
-                CultureInfo.InvariantCulture, $"more than {DxfLimits.MaxPoints} points of ellipses and splines are needed; fewer are expected"));
+                CultureInfo.InvariantCulture,
+                $"more than {DxfLimits.MaxPoints} points of ellipses and splines are needed; fewer are expected"));
         }
     }
 

@@ -12,6 +12,9 @@ internal sealed record DxfSpline(int Degree, double[] Knots, Point2[] Poles, dou
     // A halved piece is about four times as flat.
     private const int MaxHalvings = 40;
 
+    // A knot that is repeated once more than the degree leaves pieces that need not meet. Numbers of files are rounded, too.
+    private const double MaxGapMm = 0.1 * DrawnCourse.ChordMm;
+
     // Poles may be outside the drawing, but a piece whose poles overflow would be halved without end.
     private const double MaxPoleMm = 1e9;
 
@@ -37,9 +40,14 @@ internal sealed record DxfSpline(int Degree, double[] Knots, Point2[] Poles, dou
                     pen.Check(Flat(pole), MaxPoleMm);
                 }
 
+                var start = Flat(piece[0]);
                 if (points.Count == 0)
                 {
-                    Add(points, Flat(piece[0]), pen);
+                    Add(points, start, pen);
+                }
+                else if (!(points[^1].DistanceTo(start) <= MaxGapMm))
+                {
+                    throw pen.Fail("bad-spline", "pieces with a gap between them; one curve without a gap is expected");
                 }
 
                 Follow(piece, points, pen, MaxHalvings);

@@ -19,7 +19,7 @@ internal sealed class DxfSplineValues(DxfValues values, DxfGroups groups, DxfNot
         if (points.Count == 0)
         {
             throw Fail(entity, values.Numbers(11).Count > 0
-                ? "fit points without control points; control points and knots are expected: the curve between fit points is not in the file"
+                ? "fit points without control points; control points and knots are expected, because fit points alone are no curve"
                 : "no control points; at least 2 are expected in group 10");
         }
 
@@ -82,12 +82,12 @@ internal sealed class DxfSplineValues(DxfValues values, DxfGroups groups, DxfNot
             throw Fail(entity, Text($"all its knots are {knots[first]}; knots that ascend are expected"));
         }
 
-        // At a knot repeated more often than the degree the curve falls apart.
-        for (var i = first + 1; i + degree < last; i++)
+        // Once more than the degree, each piece has poles of its own. Beyond it, a pole belongs to none.
+        for (var i = 0; i + degree + 1 < knots.Count; i++)
         {
-            if (knots[i] > knots[first] && knots[i + degree] < knots[last] && knots[i] == knots[i + degree])
+            if (knots[i] == knots[i + degree + 1])
             {
-                throw Fail(entity, Text($"knot {knots[i]} more than {degree} times inside the curve; at most {degree} times is expected"));
+                throw Fail(entity, Text($"knot {knots[i]} more than {degree + 1} times; at most {degree + 1} times is expected"));
             }
         }
     }

@@ -3,7 +3,8 @@ using System.Text;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>Decodes names of a DXF file. Since 2007 the format is in UTF-8, before in a code page; many programs write UTF-8 always.</summary>
+/// <summary>Decodes names of a DXF file. Since 2007 the format is in UTF-8, before in a code page; many programs write UTF-8
+/// always.</summary>
 internal sealed class DxfText
 {
     private static readonly UTF8Encoding Utf8 = new(false, true);
