@@ -9,6 +9,8 @@ namespace ErrorMatching.Hmi.Platform;
 /// <summary>Converts Avalonia's brushes to Skia's paint.</summary>
 internal static class BrushPaint
 {
+    private const string BitmapReference = "Avalonia.Utilities.IRef`1[[Avalonia.Platform.IBitmapImpl, Avalonia.Base]], Avalonia.Base";
+
     /// <summary>Sets the color or the shader of a brush over a rectangle.</summary>
     /// <returns>False if nothing would be painted.</returns>
     public static bool Set(SKPaint paint, IBrush? brush, Rect target)
@@ -114,9 +116,10 @@ internal static class BrushPaint
 
     private static SKShader? Image(IImageBrush brush, IImageBrushSource source, Rect target)
     {
-        // The only use of an Avalonia internal: the bitmap behind an image brush (IRef<IBitmapImpl>).
+        // The only use of an Avalonia internal: the bitmap behind an image brush. Both properties are named with their types, or a trimmed
+        // program would lack them.
         var reference = typeof(IImageBrushSource).GetProperty("Bitmap", BindingFlags.Instance | BindingFlags.NonPublic)?.GetValue(source);
-        if (reference?.GetType().GetProperty("Item")?.GetValue(reference) is not SkiaBitmap bitmap)
+        if (reference is null || Type.GetType(BitmapReference)?.GetProperty("Item")?.GetValue(reference) is not SkiaBitmap bitmap)
         {
             return null;
         }

@@ -1,6 +1,5 @@
 using Avalonia.Automation;
 using Avalonia.Controls;
-using Avalonia.Data;
 using Avalonia.Layout;
 using Avalonia.Markup.Xaml.MarkupExtensions;
 
@@ -45,7 +44,7 @@ internal static class PlotButtons
                 Classes = { "icon" },
                 [!Avalonia.Controls.Shapes.Path.DataProperty] = new DynamicResourceExtension("Icon." + icon)
             },
-            [!AutomationProperties.NameProperty] = new ReflectionBinding($"[{text}]") { Source = Texts.Current, Mode = BindingMode.OneWay },
+            [!AutomationProperties.NameProperty] = TextExtension.Bind(text),
         };
         button.Click += (_, _) => act();
         return button;

@@ -16,11 +16,15 @@ internal sealed class TextExtension(string key) : MarkupExtension
     public string Key { get; } = key;
 
     /// <inheritdoc/>
-    public override object ProvideValue(IServiceProvider serviceProvider)
+    public override object ProvideValue(IServiceProvider serviceProvider) => Bind(Key);
+
+    /// <summary>The same for a property that is bound in code.</summary>
+    /// <param name="key">The key.</param>
+    public static CompiledBinding Bind(string key)
     {
         // A missing key fails here, when the view is created, instead of leaving a gap on the screen.
-        _ = Texts.Current[Key];
-        return new CompiledBinding(Paths.GetOrAdd(Key, Path)) { Source = Texts.Current, Mode = BindingMode.OneWay };
+        _ = Texts.Current[key];
+        return new CompiledBinding(Paths.GetOrAdd(key, Path)) { Source = Texts.Current, Mode = BindingMode.OneWay };
     }
 
     private static CompiledBindingPath Path(string key) =>

@@ -52,6 +52,27 @@ public sealed class DrawingTests
     });
 
     [Fact]
+    public Task A_brush_with_a_picture_paints_the_picture() => Drawing.Needed().RunAsync(() =>
+    {
+        using var picture = new RenderTargetBitmap(new PixelSize(10, 10));
+        using (var context = picture.CreateDrawingContext())
+        {
+            context.FillRectangle(Brushes.Black, new Rect(0, 0, 5, 10));
+            context.FillRectangle(Brushes.White, new Rect(5, 0, 5, 10));
+        }
+
+        using var drawn = new RenderTargetBitmap(new PixelSize(100, 100));
+        using (var context = drawn.CreateDrawingContext())
+        {
+            context.FillRectangle(Brushes.White, new Rect(0, 0, 100, 100));
+            context.FillRectangle(new ImageBrush(picture) { Stretch = Stretch.Fill }, new Rect(0, 0, 100, 100));
+        }
+
+        var pixels = Pixels(drawn);
+        Assert.Equal((0, 255), (pixels[(50 * 100) + 20], pixels[(50 * 100) + 80]));
+    });
+
+    [Fact]
     public Task Text_covers_the_area_of_its_outlines() => Drawing.Needed().RunAsync(() =>
     {
         // Area by area, not by the guess of a renderer: small dark text must not become thin.
