@@ -4,7 +4,7 @@ namespace ErrorMatching.Hmi.Platform;
 /// <param name="window">The window.</param>
 internal sealed unsafe class Win32Pointing(Win32Window window)
 {
-    private const int Touch = 2;
+    private const int Pen = 3;
     private const nint Canceled = 0x8000;
     private readonly Fingers _fingers = new(window.Touch);
 
@@ -19,9 +19,10 @@ internal sealed unsafe class Win32Pointing(Win32Window window)
             return true;
         }
 
+        // A mouse sends such messages only to programs that ask for them. Wine calls every pointer a mouse.
         int type;
         if (message is not (Win32Message.PointerDown or Win32Message.PointerUpdate or Win32Message.PointerUp)
-            || User32.GetPointerType(finger, &type) == 0 || type != Touch)
+            || User32.GetPointerType(finger, &type) == 0 || type == Pen)
         {
             return false;
         }

@@ -1,0 +1,102 @@
+#:property PublishAot=false
+#:property AllowUnsafeBlocks=true
+using System.Globalization;
+using System.Runtime.InteropServices;
+
+// Does to a window on Windows what xdotool cannot: puts fingers on it, and moves it to a monitor with another scaling. It sends the messages
+// that Windows sends then; tests/station-under-wine runs it beside the station.
+//   TITLE tap X Y              one finger
+//   TITLE pinch X Y FROM TO    two fingers left and right of a place; what is between them grows or shrinks from FROM to TO pixels
+//   TITLE dpi VALUE            another scaling, such as 144
+var window = FindWindow(null, args[0]);
+if (window == 0)
+{
+    Console.Error.WriteLine($"There is no window {args[0]}.");
+    return 1;
+}
+
+var numbers = args[2..].Select(a => int.Parse(a, CultureInfo.InvariantCulture)).ToArray();
+switch (args[1])
+{
+    case "tap":
+        Finger(Down, 1, numbers[0], numbers[1]);
+        Finger(Up, 1, numbers[0], numbers[1]);
+        return 0;
+    case "pinch":
+        const int steps = 10;
+        var (x, y, from, to) = (numbers[0], numbers[1], numbers[2], numbers[3]);
+        Both(Down, from);
+        for (var i = 1; i <= steps; i++)
+        {
+            Both(Update, from + ((to - from) * i / steps));
+        }
+
+        Both(Up, to);
+        return 0;
+
+        void Both(uint message, int apart)
+        {
+            Finger(message, 1, x - (apart / 2), y);
+            Finger(message, 2, x + (apart / 2), y);
+        }
+
+    case "dpi":
+        ChangeDpi(numbers[0]);
+        return 0;
+    default:
+        Console.Error.WriteLine($"{args[1]} is unknown.");
+        return 1;
+}
+
+void Finger(uint message, int finger, int x, int y)
+{
+    // In contact, unless it is lifted; places are those of the screen.
+    var flags = message == Up ? 0 : 4;
+    if (PostMessage(window, message, (flags << 16) | finger, (y << 16) | x) == 0)
+    {
+        throw new InvalidOperationException("The message could not be sent.");
+    }
+
+    Thread.Sleep(30);
+}
+
+// The message refers to a rectangle, which has to be in the other process.
+unsafe void ChangeDpi(int dpi)
+{
+    Rect rect;
+    uint id;
+    _ = GetWindowRect(window, &rect);
+    _ = GetWindowThreadProcessId(window, &id);
+    var process = OpenProcess(AllAccess, 0, id);
+    var memory = VirtualAllocEx(process, 0, (nuint)sizeof(Rect), Commit, ReadWrite);
+    if (memory == 0 || WriteProcessMemory(process, memory, &rect, (nuint)sizeof(Rect), 0) == 0)
+    {
+        throw new InvalidOperationException("The other process gives no memory.");
+    }
+
+    _ = SendMessage(window, DpiChanged, (dpi << 16) | dpi, memory);
+    _ = CloseHandle(process);
+}
+
+internal partial class Program
+{
+    private const uint Update = 0x245, Down = 0x246, Up = 0x247, DpiChanged = 0x2E0, AllAccess = 0x1FFFFF, Commit = 0x3000, ReadWrite = 4;
+
+    [DllImport("user32", EntryPoint = "FindWindowW", CharSet = CharSet.Unicode)]
+    private static extern nint FindWindow(string? kind, string title);
+
+    [DllImport("user32", EntryPoint = "PostMessageW")] private static extern int PostMessage(nint window, uint message, nint w, nint l);
+    [DllImport("user32", EntryPoint = "SendMessageW")] private static extern nint SendMessage(nint window, uint message, nint w, nint l);
+    [DllImport("user32")] private static extern unsafe int GetWindowRect(nint window, Rect* rect);
+    [DllImport("user32")] private static extern unsafe uint GetWindowThreadProcessId(nint window, uint* process);
+    [DllImport("kernel32")] private static extern nint OpenProcess(uint access, int inherits, uint process);
+    [DllImport("kernel32")] private static extern nint VirtualAllocEx(nint process, nint at, nuint bytes, uint kind, uint protection);
+    [DllImport("kernel32")]
+    private static extern unsafe int WriteProcessMemory(nint process, nint at, Rect* from, nuint bytes, nint written);
+    [DllImport("kernel32")] private static extern int CloseHandle(nint handle);
+
+    private struct Rect
+    {
+        public int Left, Top, Right, Bottom;
+    }
+}
