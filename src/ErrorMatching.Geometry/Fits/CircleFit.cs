@@ -16,9 +16,9 @@ public sealed class CircleFit
 
     private const int MostSteps = 200;
 
-    private CircleFit(Circle2 circle, IReadOnlyList<Point2> points, double pointUncertaintyMm)
+    private CircleFit(Circle2 circle, IReadOnlyList<Point2> points, Point2 origin, double pointUncertaintyMm)
     {
-        Circle = circle;
+        Circle = new(origin + (circle.Center - Point2.Origin), circle.Radius);
         var residuals = new double[points.Count];
         for (var i = 0; i < residuals.Length; i++)
         {
@@ -79,16 +79,20 @@ public sealed class CircleFit
         RefuseCoincident(points);
         var centroid = Samples.Centroid(points);
         var extent = 2 * points.Max(p => p.DistanceTo(centroid));
-        return new(Refine(Start(points, centroid, extent), points, extent), points, pointUncertaintyMm);
+
+        // About the centroid, so that coordinates far from their origin do not use up the digits that the radius needs.
+        var local = points.Select(p => Point2.Origin + (p - centroid)).ToArray();
+        return new(Refine(Start(local, extent), local, extent), local, centroid, pointUncertaintyMm);
     }
 
-    /// <summary>Kasa's fit: linear least squares of <c>x^2 + y^2 = 2 a x + 2 b y + c</c>, about the centroid.</summary>
-    private static Circle2 Start(IReadOnlyList<Point2> points, Point2 centroid, double extent)
+    /// <summary>Kasa's fit: linear least squares of <c>x^2 + y^2 = 2 a x + 2 b y + c</c>, of points about
+    /// their centroid.</summary>
+    private static Circle2 Start(Point2[] points, double extent)
     {
         var (sxx, sxy, syy, sxz, syz) = (0.0, 0.0, 0.0, 0.0, 0.0);
         foreach (var point in points)
         {
-            var d = point - centroid;
+            var d = point - Point2.Origin;
             var z = d.Dot(d);
             (sxx, sxy, syy) = (sxx + (d.X * d.X), sxy + (d.X * d.Y), syy + (d.Y * d.Y));
             (sxz, syz) = (sxz + (d.X * z), syz + (d.Y * z));
@@ -102,10 +106,10 @@ public sealed class CircleFit
         }
 
         var toCenter = new Vector2((syy * sxz) - (sxy * syz), (sxx * syz) - (sxy * sxz)) / (2 * determinant);
-        return new(centroid + toCenter, Math.Sqrt(toCenter.Dot(toCenter) + (spread / points.Count)));
+        return new(Point2.Origin + toCenter, Math.Sqrt(toCenter.Dot(toCenter) + (spread / points.Length)));
     }
 
-    private static Circle2 Refine(Circle2 circle, IReadOnlyList<Point2> points, double extent)
+    private static Circle2 Refine(Circle2 circle, Point2[] points, double extent)
     {
         var damping = 1e-4;
         var cost = Cost(circle, points);
@@ -138,10 +142,10 @@ public sealed class CircleFit
 
         throw new GeometryException(
             GeometryError.NotConverged,
-            string.Create(CultureInfo.InvariantCulture, $"The circle through {points.Count} points did not settle in {MostSteps} steps."));
+            string.Create(CultureInfo.InvariantCulture, $"The circle through {points.Length} points did not settle in {MostSteps} steps."));
     }
 
-    private static Vector<double> Step(Circle2 circle, IReadOnlyList<Point2> points, double damping)
+    private static Vector<double> Step(Circle2 circle, Point2[] points, double damping)
     {
         var normal = Matrix<double>.Build.Dense(3, 3);
         var right = Vector<double>.Build.Dense(3);
@@ -180,7 +184,7 @@ public sealed class CircleFit
         return unknown switch { 0 => -d.X / length, 1 => -d.Y / length, _ => -1 };
     }
 
-    private static double Cost(Circle2 circle, IReadOnlyList<Point2> points)
+    private static double Cost(Circle2 circle, Point2[] points)
     {
         var sum = 0.0;
         foreach (var point in points)

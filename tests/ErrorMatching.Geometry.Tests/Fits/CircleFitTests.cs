@@ -54,6 +54,22 @@ public class CircleFitTests
                 && Math.Abs(moved.RadiusStandardError - fit.RadiusStandardError) < 1e-8;
         }, 300);
 
+    // Coordinates of a machine far from its origin: a micrometer there is the tenth digit.
+    [Theory]
+    [InlineData(0)]
+    [InlineData(1 << 20)]
+    [InlineData(5_000_000)]
+    [InlineData(-1_000_000_000)]
+    public void Distance_from_the_origin_costs_no_digits_of_the_radius(double far)
+    {
+        Point2[] near = [new(12.5, 0.25), new(3, 12.125), new(-8.75, 9), new(-12, -3.5), new(-1.5, -12.375), new(10, -7.5)];
+        var (fit, moved) = (CircleFit.Fit(near), CircleFit.Fit([.. near.Select(p => new Point2(p.X + far, p.Y - (far / 4)))]));
+        Assert.Equal(fit.Circle.Radius, moved.Circle.Radius, 1e-9);
+        Assert.Equal(fit.Circle.Center.X + far, moved.Circle.Center.X, 1e-9 + (2e-16 * Math.Abs(far)));
+        Assert.Equal(fit.Circle.Center.Y - (far / 4), moved.Circle.Center.Y, 1e-9 + (2e-16 * Math.Abs(far)));
+        Assert.All(fit.Residuals.Zip(moved.Residuals), r => Assert.Equal(r.First, r.Second, 1e-9));
+    }
+
     [Fact]
     public void No_neighboring_circle_is_nearer_to_the_points()
     {
