@@ -95,6 +95,15 @@ public static class MeasurementError
     /// <summary>A file of a format that describes itself (QIF, AQDEF, DMIS, CALYPSO, PC-DMIS) is cut off or violates the format.</summary>
     public const string BadStructure = "bad-structure";
 
+    /// <summary>A probing move that ended without a contact.</summary>
+    public const string MissedTouch = "missed-touch";
+
+    /// <summary>A log without labels has another number of points than the job or the plan.</summary>
+    public const string PointCount = "point-count";
+
+    /// <summary>A rule of the job that maps labels is wrong, or two of its points get the same label.</summary>
+    public const string BadLabels = "bad-labels";
+
     /// <summary>The file is something else, such as a surface, a mesh, a job or a program.</summary>
     public const string NotAMeasurement = "not-a-measurement";
 

@@ -18,10 +18,24 @@ public class EncodingTests
         Assert.Equal("Maß", Label([0xFF, 0xFE, .. Encoding.Unicode.GetBytes(Table)], "utf-16"));
         Assert.Equal("Maß", Label([0xFE, 0xFF, .. Encoding.BigEndianUnicode.GetBytes(Table)], "utf-16"));
         Assert.Equal("Maß", Label(Encoding.BigEndianUnicode.GetBytes(Table), "utf-16be"));
+        // 0xC249 is the first character of "point" in Big5; the second byte of 0xA55C is a backslash in ASCII.
+        Assert.Equal("點功", Label([.. "point,x_mm,y_mm\n"u8, 0xC2, 0x49, 0xA5, 0x5C, .. ",1,2"u8], "big5"));
         // 0x80 is the euro sign in Windows-1252; 0xB5E3 and 0x935F are the first character of "point" in GB 18030 and Shift-JIS.
         Assert.Equal("€", Label([.. "point,x_mm,y_mm\n"u8, 0x80, .. ",1,2"u8], "windows-1252"));
         Assert.Equal("点", Label([.. "point,x_mm,y_mm\n"u8, 0xB5, 0xE3, .. ",1,2"u8], "gb18030"));
         Assert.Equal("点", Label([.. "point,x_mm,y_mm\n"u8, 0x93, 0x5F, .. ",1,2"u8], "shift-jis"));
+    }
+
+    // PC-DMIS writes in the code page of its Windows. Without a hint, the name of the part would be read as windows-1252.
+    [Fact]
+    public void The_jobs_encoding_is_that_of_reports_and_logs_too()
+    {
+        byte[] name = [.. "PART NAME : "u8, 0xA5, 0x5C, .. "\n"u8];
+        byte[] report = [.. name, .. OwnFormats.Bytes(OwnFormats.All["part.txt"])];
+        Assert.Equal("功", Name(MeasurementReader.Read(report, "part.txt", Text.Format("""{ "encoding": "big5" }"""))));
+        Assert.Equal("¥\\", Name(MeasurementReader.Read(report, "part.txt", MeasurementFormat.Points)));
+
+        static string Name(MeasurementFile file) => file.HeaderFields.First(f => f.Name == "PART NAME").Value;
     }
 
     [Fact]

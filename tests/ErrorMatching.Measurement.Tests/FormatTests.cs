@@ -93,7 +93,7 @@ public class FormatTests
         Assert.Equal(
             [
                 "line 2, column 15, $.format.unti: the key \"unti\" is not known here; did you mean \"unit\"?",
-                "line 3, column 18, $.format.delimiter: found the text \"#\"; expected one of \",\", \";\", \"\t\" or \"|\".",
+                "line 3, column 18, $.format.delimiter: found the text \"#\"; expected one of \",\", \";\", \"\t\", \"|\" or \" \".",
             ],
             problems.Select(p => p.ToString()));
         Assert.All(problems, p => Assert.Equal(MeasurementError.BadFormat, p.Code));

@@ -92,6 +92,38 @@ public class ReadingCostTests
         ("", "AX    NOMINAL       +TOL       -TOL       MEAS        DEV     OUTTOL\n", ""),
         ("AX NOMINAL MEAS\n", "x ", "\n"));
 
+    [Fact]
+    public void Logs_of_controls() => Check(
+        "m.txt",
+        MeasurementFormat.Points,
+        ("", "1.000000 2.000000 3.000000 0.000000 0.000000 0.000000 0.000000 0.000000 0.000000\n", ""),
+        ("", "[PRB:1.000,2.000,3.000:1]\nok\n", ""),
+        ("[PRB:1.000,2.000,3.000:1]\n", "[TLO:0.000]\n[PRB:1.000,2.000,3.000:1]\n", ""),
+        ("[PRB:", "1,", ":1]\n"),
+        ("%\n", "P§ X  1.0 Y 2.0\n", "%\n"),
+        ("%\n", "§, 1.0, 2.0\n", "%\n"),
+        ("%\n", "%\n", ""),
+        ("%\n", "\u0012", "\n"),
+        ("%\nP1 X", " ", "1.0 Y2.0\n%\n"),
+        ("%\nP1 X1.0 Y", "2", "\n%\n"),
+        ("START\n", "G800 N§ X0 Y0 Z0 I0 J1 K0\nG801 N§ X0 Y3 Z0 R3.\n", "END\n"),
+        ("START\nG801 N1 ", "X", "\nEND\n"),
+        ("", "COMPONENT NO 1 FEATURE NO §\nPOSN X1.0 ACTUAL 1.0 TOL 0.1 DEV 0.0\nPOSN Y1.0 ACTUAL 1.0 TOL 0.1 DEV 0.0\n", ""),
+        ("COMPONENT NO 1 FEATURE NO 1\n", "SIZE \n", ""),
+        ("COMPONENT NO 1 FEATURE NO 1\nPOSN X", " ", "1.0\n"),
+        ("", "CYCLE978 § X Soll 1.0 Ist 1.0 Diff 0.0\nCYCLE978 § Y Soll 1.0 Ist 1.0 Diff 0.0\n", ""),
+        ("CYCLE978 1 X Soll ", "1", " Ist 1 Diff 0\n"));
+
+    [Fact]
+    public void Logs_by_a_pattern() => Check(
+        "m.txt",
+        MeasurementFormat.FromJson("""{ "line": "TP{label} {} X{x} Y{y}" }"""),
+        ("", "TP§ a X1.0 Y 2.0\n", ""),
+        ("TP1 ", "a ", "X1 Y2\n"),
+        ("TP", "1", " a X1 Y2\n"),
+        ("TP1 a X", "1", " Y2\n"),
+        ("TP1 a X", " ", "1 Y2\n"));
+
     [Theory]
     [InlineData("points", "point,x_mm,y_mm\n")]
     [InlineData("feature-table", "feature,item,nominal,actual,deviation,tolerance\n")]

@@ -9,6 +9,7 @@ public class RecognizedTableTests
     [InlineData("LABEL;x_mm;y_mm;z_mm\nA;1;2;3\n")]
     [InlineData("\n\"point\"\tz\ty\tx\nA\t3\t2\t1\n")]
     [InlineData("point|x|y|z_mm|note\nA|1|2|3|, ; \n")]
+    [InlineData("  point    x     y    z \r\n  A   1.0   2.0\t3.0  \r\n")]
     [InlineData("feature;item;nominal;actual\nA;X;1.5;1\nA;Y;2;2\nA;Z;3;3\n")]
     [InlineData("feature,item,nominal,actual,deviation\nA,X,1.5,1,-0.5\nA,Y,2,2,0\nA,Z,3,3,0\n")]
     public void The_header_shows_delimiter_and_columns(string text) =>
@@ -25,6 +26,17 @@ public class RecognizedTableTests
             Assert.Single(Text.Read(
                 text,
                 MeasurementFormat.Recognized with { DecimalComma = comma, SkipLines = skip, Delimiter = delimiter }).Points).Position);
+
+    [Fact]
+    public void Blanks_between_quotation_marks_stay()
+    {
+        var format = Text.Format("""{ "delimiter": " " }""");
+        var file = Text.Read("point x_mm  y_mm note\n\"P  1\" 1 2 \"a  b\"\n", format);
+        Assert.Equal(1, file["P  1"].Position.X);
+        Assert.Equal(["a  b"], file.ColumnTexts("note"));
+        var error = Text.Refused("point x_mm y_mm\n1 2\n", format);
+        Assert.Equal((MeasurementError.ShortRow, 2, 3), (error.Code, error.Place.Line, error.Place.Column));
+    }
 
     [Fact]
     public void A_job_may_name_it() => Assert.Same(MeasurementFormat.Recognized, Text.Format("\"recognized\""));

@@ -52,7 +52,7 @@ public static class MeasuredSurfaceReader
         string? cutBy = null;
         var raw = IsLog(bytes.Span, file)
             ? Log(bytes.Span, file, plan, out cutBy)
-            : new MeasuredPointNames(MeasurementReader.Read(source, measuring.Format), measuring.ReportsStylusCenter).Read();
+            : Gauge(MeasurementReader.Read(source, measuring.Format), plan, measuring);
         try
         {
             return InPlan(source, plan, measuring, raw, cutBy);
@@ -64,6 +64,12 @@ public static class MeasuredSurfaceReader
                 "own-grid", file, $"the points lie on the surface, {why}. Use the plan that errormatch surface plan writes.");
         }
     }
+
+    // A log without labels has the points of the plan in its order. One with the radius of its ball was read as contacts.
+    private static IReadOnlyList<RawPoint> Gauge(MeasurementFile file, MeasuringPlan plan, JobMeasuring measuring) =>
+        new MeasuredPointNames(
+            file.IsByOrder ? file.InOrderOf([.. plan.Points.Select(p => Whole(p.Number))]) : file,
+            measuring.ReportsStylusCenter && !file.IsContact).Read();
 
     private static MeasuredPoints InPlan(
         MeasurementBytes source, MeasuringPlan plan, JobMeasuring measuring, IReadOnlyList<RawPoint> raw, string? cutBy)

@@ -124,6 +124,7 @@ internal sealed class DraftReader(JsonItem root, string file, MeasurementFile th
         {
             Format = format.Kind == JsonItemKind.Text ? format.Text : "",
             FormatJson = format.Kind == JsonItemKind.Text ? "" : format.ToJson(),
+            LabelsJson = item.Find("labels")?.ToJson() ?? "",
             Uncertainty = isSum ? "" : uncertainty.Text,
             Contributions = isSum ? [.. uncertainty.Items.Select(c => new ContributionDraft(Text(c, "name"), Text(c, "valueMm")))] : [],
             AcceptsCoarse = item.Find("acceptCoarse")?.Flag ?? false,

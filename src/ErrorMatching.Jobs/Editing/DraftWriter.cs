@@ -79,6 +79,11 @@ internal sealed class DraftWriter(MatingDraft draft)
             gauge["format"] = g.Format.Trim();
         }
 
+        if (HasText(g.LabelsJson))
+        {
+            Raw(gauge, "labels", g.LabelsJson);
+        }
+
         gauge["uncertaintyMm"] = g.Contributions.Count == 0
             ? Number(g.Uncertainty)
             : List(g.Contributions, c => new JsonObject { ["name"] = c.Name.Trim(), ["valueMm"] = Number(c.Value) });

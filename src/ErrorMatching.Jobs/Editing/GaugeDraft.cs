@@ -9,6 +9,9 @@ public sealed record GaugeDraft
     /// <summary>Description of a format, as in the job; empty if <see cref="Format"/> names one.</summary>
     public string FormatJson { get; init; } = "";
 
+    /// <summary>The rule or the order of its labels, as JSON in the job; empty if its files have the labels of the job.</summary>
+    public string LabelsJson { get; init; } = "";
+
     /// <summary>Standard uncertainty of a coordinate, mm, if there are no <see cref="Contributions"/>.</summary>
     public string Uncertainty { get; init; } = "";
 

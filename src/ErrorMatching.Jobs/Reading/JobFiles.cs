@@ -11,6 +11,7 @@ public sealed class JobFiles
 {
     private readonly List<string> _read;
     private MeasurementFile? _part;
+    private MeasurementFile? _theoretical;
 
     /// <summary>Reads the job.</summary>
     /// <param name="job">The job's file.</param>
@@ -35,8 +36,19 @@ public sealed class JobFiles
 
     /// <summary>The nominal key points: the given ones, or the job's.</summary>
     /// <exception cref="InputException">The file cannot be used.</exception>
-    public MeasurementFile Theoretical(GivenFile? given = null) =>
-        Measured(given ?? new(Job.PathOf(Job.Part.Theoretical)), MeasurementFormat.Points);
+    public MeasurementFile Theoretical(GivenFile? given = null)
+    {
+        var file = Measured(given ?? new(Job.PathOf(Job.Part.Theoretical)), MeasurementFormat.Points);
+        return _theoretical = file.IsByOrder
+            ? throw MeasurementRefusal.Of(
+                MeasurementError.MissingColumn,
+                "a log without labels",
+                "the key points as designed, with their labels: point,x_mm,y_mm",
+                file.File,
+                1,
+                1)
+            : file;
+    }
 
     /// <summary>A measurement of the part: the given one, or the job's.</summary>
     /// <exception cref="InputException">The file cannot be used. The job's rules say that it is of the counterpart, or its content is that
@@ -146,10 +158,29 @@ public sealed class JobFiles
 
     private MeasurementFile Recognized(GivenFile file, SourceSide expected)
     {
-        var measurement = Measured(file, Job.Gauge.Format);
+        var measurement = WithLabels(Measured(file, Job.Gauge.Format));
         return Job.Recognition is null || Job.Recognition.Decide(measurement) == expected
             ? measurement
             : throw InputRefusals.WrongPiece(file.File, expected);
+    }
+
+    // Labels of the job for a file that has other ones, or none.
+    private MeasurementFile WithLabels(MeasurementFile measurement) =>
+        measurement.IsByOrder ? measurement.InOrderOf(Order(measurement.Points.Count))
+        : Job.Gauge.Labels is { } rule ? measurement.Renamed(rule, Job.NeededPoints)
+        : measurement;
+
+    // The theoretical file may have more points than the job needs. The number of points tells whether all of them were measured.
+    private IReadOnlyList<string> Order(int count)
+    {
+        if (Job.Gauge.Order.Count > 0)
+        {
+            return Job.Gauge.Order;
+        }
+
+        var all = (_theoretical ?? Theoretical()).Points.Select(p => p.Label).ToArray();
+        var needed = Job.NeededPoints.ToHashSet(StringComparer.Ordinal);
+        return count == all.Length ? all : [.. all.Where(needed.Contains)];
     }
 
     private MeasurementFile Measured(GivenFile file, MeasurementFormat format)

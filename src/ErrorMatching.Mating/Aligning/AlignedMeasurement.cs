@@ -46,7 +46,9 @@ public sealed record AlignedMeasurement(
         measured.Require(job.NeededPoints);
         var labels = new List<string>();
         var (actual, nominal, toContact) = (new List<Point2>(), new List<Point2>(), new List<Vector2>());
-        var radius = job.Gauge.Reports == ProbeReport.StylusCenter ? job.Gauge.StylusDiameterMm!.Value / 2 : 0;
+
+        // A file that states the radius of its ball was read as contacts.
+        var radius = job.Gauge.Reports == ProbeReport.StylusCenter && !measured.IsContact ? job.Gauge.StylusDiameterMm!.Value / 2 : 0;
         var standsOut = new List<(string, double)>();
         foreach (var map in maps)
         {

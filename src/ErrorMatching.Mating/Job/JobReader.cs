@@ -99,7 +99,45 @@ internal sealed class JobReader(JsonItem root)
                 (int?)measuring?.Find("touches")?.Number))
         {
             AcceptsCoarse = item.Find("acceptCoarse")?.Flag ?? false,
+            Labels = item.Find("labels") is { Kind: JsonItemKind.Text } rule ? ReadLabelRule(rule) : null,
+            Order = item.Find("labels") is { Kind: JsonItemKind.List } order ? ReadOrder(order) : [],
         };
+    }
+
+    private LabelRule? ReadLabelRule(JsonItem item)
+    {
+        try
+        {
+            return LabelRule.Parse(item.Text);
+        }
+        catch (InputException e)
+        {
+            _problems.Refuse(item, e.Code, e.Refusals[0].Found, e.Refusals[0].Expected);
+            return null;
+        }
+    }
+
+    private List<string> ReadOrder(JsonItem list)
+    {
+        var order = new List<string>();
+        foreach (var item in list.Items)
+        {
+            try
+            {
+                order.AddRange(LabelRange.Expand(item.Text));
+            }
+            catch (InputException e)
+            {
+                _problems.Refuse(item, e.Code, e.Refusals[0].Found, e.Refusals[0].Expected);
+            }
+        }
+
+        if (order.GroupBy(l => l, StringComparer.Ordinal).FirstOrDefault(g => g.Count() > 1) is { Key: var twice })
+        {
+            _problems.Refuse(list, MeasurementError.BadLabels, $"the point \"{twice}\" twice", "each point once, in the order of the log");
+        }
+
+        return order;
     }
 
     private JobAlignment ReadAlignment(JsonItem item)

@@ -13,6 +13,12 @@ public sealed record JobGauge(
 {
     /// <summary>True if the job accepts the gauge although its expanded uncertainty exceeds the width of a feature's limits.</summary>
     public bool AcceptsCoarse { get; init; }
+
+    /// <summary>The rule by which the gauge names the key points; null if it uses the labels of the job.</summary>
+    public LabelRule? Labels { get; init; }
+
+    /// <summary>The key points in the order in which logs without labels have them; empty for the order of the theoretical file.</summary>
+    public IReadOnlyList<string> Order { get; init; } = [];
 }
 
 /// <summary>The meaning of the coordinates in a gauge's file.</summary>

@@ -72,6 +72,7 @@ internal sealed class FormatReader(ICollection<Refusal> problems)
                     Delimiter = format.Delimiter == '\0' ? MeasurementFormat.Points.Delimiter : format.Delimiter,
                     Origin = FormatOrigin.Described,
                 },
+                "line" => format with { Line = Line(json, value), Origin = FormatOrigin.Described },
                 "maxBytes" => format with { MaxBytes = (int)value.Number },
                 "maxPoints" => format with { MaxPoints = (int)value.Number },
                 _ => format,
@@ -79,6 +80,29 @@ internal sealed class FormatReader(ICollection<Refusal> problems)
         }
 
         return format;
+    }
+
+    // A log has lines, a table has columns.
+    private LinePattern? Line(JsonItem format, JsonItem line)
+    {
+        var kind = format.Find("kind");
+        var table = format.Find("columns") ?? format.Find("delimiter") ?? (kind?.Text is null or "points" ? null : kind);
+        if (table is not null)
+        {
+            problems.Add(JsonRefusal.At(
+                table, MeasurementError.BadFormat, "the description of a table beside \"line\"", "either columns or the lines of a log"));
+            return null;
+        }
+
+        try
+        {
+            return LinePattern.Parse(line.Text, format.Find("decimalComma")?.Flag ?? false);
+        }
+        catch (InputException e)
+        {
+            problems.Add(JsonRefusal.At(line, MeasurementError.BadFormat, e.Refusals[0].Found, e.Refusals[0].Expected));
+            return null;
+        }
     }
 
     private MeasurementColumns Columns(JsonItem json, MeasurementColumns columns)

@@ -14,6 +14,15 @@ internal sealed record MeasuredContent(
     /// <summary>The texts of a column by its name; null if there is no such column.</summary>
     public Func<string, IReadOnlyList<string>?> Texts { get; init; } = _ => null;
 
+    /// <summary>True if the file names no points: they are called 1, 2, 3 in the order of the file.</summary>
+    public bool IsByOrder { get; init; }
+
+    /// <summary>True if the number at the end of a label names its point, too: P1 is also called 1.</summary>
+    public bool HasNumbers { get; init; }
+
+    /// <summary>True if the points are contacts whatever the job says of its gauge, because the file has the radius of the ball.</summary>
+    public bool IsContact { get; init; }
+
     /// <summary>Points that lack a coordinate: the first one they lack, and where they are.</summary>
     public IReadOnlyList<(string Label, char Axis, Place Place)> Incomplete { get; init; } = [];
 }

@@ -11,7 +11,8 @@ namespace ErrorMatching.Measurement;
 ///   "columns": { "label": "Nr", "x": "X", "y": 3, "z": null } }
 /// </code>
 /// Omitted members are taken from the built-in format of that kind (<c>points</c> if the kind is omitted). If any column is given by name,
-/// the first line after the skipped ones is the header; if all are given by position, it is data.
+/// the first line after the skipped ones is the header; if all are given by position, it is data. A log that is no table has a pattern of
+/// its lines instead of columns: <c>{ "line": "TP{label} X{x} Y{y}", "unit": "mm" }</c>.
 /// </remarks>
 public sealed record MeasurementFormat
 {
@@ -29,9 +30,9 @@ public sealed record MeasurementFormat
     /// <summary>One line per point of a grid under the header <c>i,j,x_mm,y_mm,z_mm</c>. The label of a point is <c>i,j</c>.</summary>
     public static MeasurementFormat Grid { get; } = FormatReader.Embedded("grid");
 
-    /// <summary>The format <c>recognized</c>: the header shows the delimiter (comma, semicolon, tab or vertical bar) and the columns of one
-    /// of the built-in formats. Names of coordinates may lack <c>_mm</c>, and <c>label</c> may replace <c>point</c>. Decimal points,
-    /// millimeters, UTF-8.</summary>
+    /// <summary>The format <c>recognized</c>: the header shows the delimiter (comma, semicolon, tab, vertical bar or blanks) and the columns
+    /// of one of the built-in formats. Names of coordinates may lack <c>_mm</c>, and <c>label</c> may replace <c>point</c>. Decimal
+    /// points, millimeters, UTF-8.</summary>
     public static MeasurementFormat Recognized { get; } = Points with
     {
         Origin = FormatOrigin.Recognized,
@@ -48,7 +49,8 @@ public sealed record MeasurementFormat
     /// <summary>Name of one of <see cref="EncodingNames"/>.</summary>
     public required string Encoding { get; init; }
 
-    /// <summary>The cell separator: comma, semicolon, tab or vertical bar. NUL if the header shows it.</summary>
+    /// <summary>The cell separator: comma, semicolon, tab, vertical bar, or a blank for one blank or more. NUL if the header shows
+    /// it.</summary>
     public required char Delimiter { get; init; }
 
     /// <summary>True if numbers are written 32,067 instead of 32.067.</summary>
@@ -68,6 +70,9 @@ public sealed record MeasurementFormat
 
     /// <summary>Maximum number of points.</summary>
     public required int MaxPoints { get; init; }
+
+    /// <summary>The lines of a log that is no table; null for tables.</summary>
+    internal LinePattern? Line { get; init; }
 
     internal FormatOrigin Origin { get; init; }
 

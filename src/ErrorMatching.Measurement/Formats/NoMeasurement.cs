@@ -39,6 +39,10 @@ internal static partial class NoMeasurement
         }
     }
 
+    /// <summary>True if a file begins as an NC program does.</summary>
+    /// <param name="head">Its first characters.</param>
+    public static bool IsProgram(string head) => Program().IsMatch(head.TrimStart());
+
     private static string FileOf(string other) => $"the measured points of a piece: this is the file of {other}, name the gauge's file";
 
     private static bool IsMesh(MeasurementBytes source, string head)

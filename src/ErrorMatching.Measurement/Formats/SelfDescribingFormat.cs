@@ -13,7 +13,10 @@ internal abstract class SelfDescribingFormat
     private const int HeadBytes = 16_384;
 
     private static readonly SelfDescribingFormat[] All =
-        [new QifFormat(), new AqdefFormat(), new DmisFormat(), new CalypsoFormat(), new PcDmisFormat()];
+    [
+        new QifFormat(), new AqdefFormat(), new DmisFormat(), new CalypsoFormat(), new PcDmisFormat(), new ResultsFileFormat(),
+        new RenishawFormat(), new SiemensFormat(), new GrblFormat(), new ProbeOpenFormat(), new DprntFormat(),
+    ];
 
     /// <summary>The format that a file shows; null if it is a table that a job must describe.</summary>
     /// <exception cref="InputException">It is evidently no measurement.</exception>
@@ -42,8 +45,10 @@ internal abstract class SelfDescribingFormat
     public abstract bool Recognizes(MeasurementBytes source, string head);
 
     /// <summary>Reads a file that has this format.</summary>
+    /// <param name="source">The file.</param>
+    /// <param name="format">The job's format: its encoding for text that is no UTF-8, and its unit for files that name none.</param>
     /// <exception cref="InputException">The content violates the format.</exception>
-    public abstract MeasuredContent Read(MeasurementBytes source);
+    public abstract MeasuredContent Read(MeasurementBytes source, MeasurementFormat format);
 
     /// <summary>The first line that is not blank, without spaces around it.</summary>
     protected static ReadOnlySpan<char> FirstLine(string head)

@@ -22,8 +22,11 @@ internal static class TableRecognition
         var end = start.IndexOfAny('\n', '\r');
         var header = (end < 0 ? start : start[..end])[..Math.Min(end < 0 ? start.Length : end, LongestHeader)].ToString();
 
-        // Names of columns contain none of these characters, so the first one in the header separates the cells.
-        var delimiter = format.Delimiter != '\0' ? format.Delimiter : header.FirstOrDefault(c => c is ';' or '\t' or '|', ',');
+        // Names of columns contain none of these characters, so the first one in the header separates the cells. Without any, blanks do.
+        var found = header.FirstOrDefault(c => c is ';' or '\t' or '|', ',');
+        var delimiter = format.Delimiter != '\0' ? format.Delimiter
+            : found == ',' && header.Contains(' ') && !header.Contains(',') ? ' '
+            : found;
         var names = header.Split(delimiter).Select(n => n.Trim().Trim('"').Trim().ToLowerInvariant()).ToHashSet(StringComparer.Ordinal);
         return format with { Delimiter = delimiter, Columns = Columns(names) };
     }

@@ -1,3 +1,4 @@
+using System.Globalization;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Measurement;
@@ -5,15 +6,23 @@ namespace ErrorMatching.Measurement;
 /// <summary>The points of one measurement, in millimeters, with their provenance.</summary>
 public sealed class MeasurementFile
 {
+    private const int MostShown = 4;
+
     private readonly Dictionary<string, LabelledPoint> _byLabel;
     private readonly MeasurementBytes _source;
     private readonly MeasuredContent _content;
+    private LabelRule? _rule;
+    private IReadOnlyList<LabelledPoint>? _shown;
 
     internal MeasurementFile(MeasurementBytes source, MeasuredContent content)
     {
         (_source, _content) = (source, content);
         Sha256 = source.Sha256;
         _byLabel = content.Points.ToDictionary(p => p.Label, StringComparer.Ordinal);
+        if (content.HasNumbers)
+        {
+            AddNumbers(content.Points);
+        }
     }
 
     /// <summary>The file name, as given by the caller.</summary>
@@ -33,6 +42,14 @@ public sealed class MeasurementFile
 
     /// <summary>The nominal points in the same order; empty if the file does not have all of them.</summary>
     public IReadOnlyList<LabelledPoint> Nominals => _content.Nominals;
+
+    /// <summary>True if the file names no points, so that only their order says which they are. They are called 1, 2, 3 in the order of
+    /// the file until <see cref="InOrderOf"/> names them.</summary>
+    public bool IsByOrder => _content.IsByOrder;
+
+    /// <summary>True if the points are contacts because the file states the radius of the ball, whatever a job says of its
+    /// gauge.</summary>
+    public bool IsContact => _content.IsContact;
 
     /// <summary>Names and values of what the file says about itself, in the order of the file: the lines above a table, or the fields
     /// about the part in a format that has such (<c>K1001</c>, <c>PARTID</c>, <c>SerialNumber</c>).</summary>
@@ -59,6 +76,62 @@ public sealed class MeasurementFile
     /// <param name="name">Name of the column; case is ignored.</param>
     public IReadOnlyList<string>? ColumnTexts(string name) => _content.Texts(name);
 
+    /// <summary>The same measurement with names for points that have none.</summary>
+    /// <param name="labels">The names, in the order in which the points were measured.</param>
+    /// <exception cref="InputException">The file has another number of points (<see cref="MeasurementError.PointCount"/>).</exception>
+    public MeasurementFile InOrderOf(IReadOnlyList<string> labels)
+    {
+        ArgumentNullException.ThrowIfNull(labels);
+        return labels.Count == Points.Count
+            ? new(_source, _content with { Points = [.. Points.Select((p, i) => p with { Label = labels[i] })], IsByOrder = false })
+            : throw _content.Labels.Fail(
+                MeasurementError.PointCount,
+                string.Create(CultureInfo.InvariantCulture, $"{Points.Count} points without labels"),
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"{labels.Count}, one for each point in the order of the job: measure all of them once, and nothing else"));
+    }
+
+    /// <summary>The same measurement with the labels of a job.</summary>
+    /// <param name="rule">The rule by which the file's labels follow from the job's.</param>
+    /// <param name="labels">The job's labels.</param>
+    /// <exception cref="InputException">A label has no number for the rule, or two get the same name
+    /// (<see cref="MeasurementError.BadLabels"/>).</exception>
+    public MeasurementFile Renamed(LabelRule rule, IReadOnlyList<string> labels)
+    {
+        ArgumentNullException.ThrowIfNull(rule);
+        ArgumentNullException.ThrowIfNull(labels);
+        var own = rule.Invert(labels);
+
+        // A point that has a job's label by chance is not meant: the rule says which one is.
+        var named = labels.ToHashSet(StringComparer.Ordinal);
+        return new(_source, _content with
+        {
+            Points = [
+                .. Points.Where(p => own.ContainsKey(p.Label) || !named.Contains(p.Label))
+                    .Select(p => own.TryGetValue(p.Label, out var label) ? p with { Label = label } : p)],
+            Nominals = [],
+            HasNumbers = false,
+            Incomplete = [.. _content.Incomplete.Select(p => (own.GetValueOrDefault(p.Label, p.Label), p.Axis, p.Place))],
+        })
+        {
+            _rule = rule,
+            _shown = Points,
+        };
+    }
+
+    // P1 is also called 1, unless another point has this name or number.
+    private void AddNumbers(IReadOnlyList<LabelledPoint> points)
+    {
+        foreach (var numbered in points.GroupBy(p => LabelRule.NumberOf(p.Label), StringComparer.Ordinal))
+        {
+            if (numbered.Key is { } number && numbered.Count() == 1)
+            {
+                _ = _byLabel.TryAdd(number, numbered.First());
+            }
+        }
+    }
+
     private InputException Missing(string label)
     {
         if (_content.Incomplete.FirstOrDefault(p => string.Equals(p.Label, label, StringComparison.Ordinal)) is { Label: not null } part)
@@ -69,11 +142,22 @@ public sealed class MeasurementFile
                 "X and Y of each point: measure and export them");
         }
 
-        var other = Points.FirstOrDefault(p => string.Equals(p.Label, label, StringComparison.OrdinalIgnoreCase)).Label;
+        var wanted = _rule is null ? label : _rule.Apply(label);
+        var points = _shown ?? Points;
+        var other = points.FirstOrDefault(p => string.Equals(p.Label, wanted, StringComparison.OrdinalIgnoreCase)).Label;
         return _content.Labels.Fail(
             MeasurementError.MissingPoint,
-            $"no point {MeasurementRefusal.Quote(label)} among the {Points.Count} of the file"
-                + (other is null ? "" : $" (but {MeasurementRefusal.Quote(other)})"),
-            $"a point {MeasurementRefusal.Quote(label)}: measure it, or correct the label");
+            $"no point {MeasurementRefusal.Quote(wanted)} among the {points.Count} of the file"
+                + (other is null ? ": " + Some(points) : $" (but {MeasurementRefusal.Quote(other)})"),
+            $"a point {MeasurementRefusal.Quote(wanted)}: measure it, or correct the label"
+                + (_rule is null && LabelRule.Between(label, points) is { } rule
+                    ? $"; if {MeasurementRefusal.Quote(rule.Apply(label))} is meant, write \"labels\": \"{rule}\" under \"gauge\""
+                    : ""));
     }
+
+    // The first labels and the last one.
+    private static string Some(IReadOnlyList<LabelledPoint> points) =>
+        string.Join(", ", points.Take(MostShown).Select(p => MeasurementRefusal.Quote(p.Label)))
+        + (points.Count > MostShown + 1 ? ", ..." : "")
+        + (points.Count > MostShown ? " " + MeasurementRefusal.Quote(points[^1].Label) : "");
 }

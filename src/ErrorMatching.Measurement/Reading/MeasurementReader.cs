@@ -27,7 +27,7 @@ public static class MeasurementReader
     /// <summary>Reads a measurement from its bytes.</summary>
     /// <param name="source">The bytes.</param>
     /// <param name="format">The format of tables. A file that shows another format itself (QIF, AQDEF, DMIS, tables of CALYPSO and
-    /// PC-DMIS) is read as that, unless the description of the format names columns.</param>
+    /// PC-DMIS, logs of controls) is read as that, unless the description of the format names columns or a line.</param>
     /// <exception cref="InputException">The content violates the format.</exception>
     public static MeasurementFile Read(MeasurementBytes source, MeasurementFormat format)
     {
@@ -35,7 +35,7 @@ public static class MeasurementReader
         ArgumentNullException.ThrowIfNull(format);
         FileBytes.ThrowIfTooLarge(source.File, source.Bytes.Length, format.MaxBytes);
         var own = format.Origin == FormatOrigin.Described ? null : SelfDescribingFormat.Of(source);
-        var content = own?.Read(source) ?? ReadTable(source, format);
+        var content = own?.Read(source, format) ?? format.Line?.Read(source, format) ?? ReadTable(source, format);
         return content switch
         {
             { Points.Count: > 0 } => new(source, content),
@@ -54,6 +54,11 @@ public static class MeasurementReader
     {
         var text = SourceText.Decode(source.Bytes.Span, source.File, format.Encoding, format.Delimiter);
         format = format.Origin == FormatOrigin.Recognized ? TableRecognition.FormatOf(text, format) : format;
+        if (format.Delimiter == ' ')
+        {
+            (text, format) = (Blanks.ToTabs(text), format with { Delimiter = '\t' });
+        }
+
         var table = Table.Read(text, source.File, format.Layout);
         var (points, nominals, labels) = format.Columns.Read(table, format);
         return new(format.Unit, points, nominals, labels) { Fields = table.Fields, Texts = table.TextsOf };

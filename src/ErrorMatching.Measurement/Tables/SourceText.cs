@@ -16,17 +16,20 @@ internal static class SourceText
         ("windows-1252", () => CodePage(1252)),
         ("gb18030", () => CodePage(54936)),
         ("shift-jis", () => CodePage(932)),
+        ("big5", () => CodePage(950)),
     ];
 
     public static IReadOnlyList<string> EncodingNames { get; } = [.. Encodings.Select(e => e.Name)];
 
-    /// <summary>Decodes a file whose format names no encoding: as its byte order mark says, or in UTF-8, or else in
-    /// windows-1252.</summary>
+    /// <summary>Decodes a file that shows its own format: as its byte order mark says, or in UTF-8, or else in the job's encoding, which
+    /// is windows-1252 unless the job names one.</summary>
     /// <param name="bytes">The bytes.</param>
     /// <param name="file">The file name, for messages.</param>
+    /// <param name="encoding">The encoding of the job's format.</param>
     /// <param name="controls">Control characters that belong to the format.</param>
-    public static string DecodeOwn(ReadOnlySpan<byte> bytes, string file, string controls = "")
+    public static string DecodeOwn(ReadOnlySpan<byte> bytes, string file, string encoding, string controls = "")
     {
+        var named = encoding is "utf-8" or "utf-16" or "utf-16be" ? "windows-1252" : encoding;
         var marked = bytes is [0xFF, 0xFE, ..] ? "utf-16" : bytes is [0xFE, 0xFF, ..] ? "utf-16be" : "utf-8";
         try
         {
@@ -34,7 +37,7 @@ internal static class SourceText
         }
         catch (InputException e) when (e.Code == MeasurementError.InvalidEncoding && marked == "utf-8")
         {
-            return Decode(bytes, file, "windows-1252", '\t', controls);
+            return Decode(bytes, file, named, '\t', controls);
         }
     }
 

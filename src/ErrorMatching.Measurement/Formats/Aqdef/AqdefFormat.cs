@@ -8,9 +8,9 @@ internal sealed class AqdefFormat : SelfDescribingFormat
         source.Has(".dfx") || FirstLine(head) is ['K', '0', '1', '0', '0', ' ' or '\t' or '/', ..];
 
     /// <inheritdoc/>
-    public override MeasuredContent Read(MeasurementBytes source)
+    public override MeasuredContent Read(MeasurementBytes source, MeasurementFormat format)
     {
-        var reader = new AqdefReader(source.File);
+        var reader = new AqdefReader(source.File, format.Encoding);
         if (source.Description is { } description)
         {
             reader.Add(description);

@@ -15,7 +15,7 @@ namespace ErrorMatching.Measurement;
 /// K0001/1 32.012         the same, one value at a time
 /// </code>
 /// </remarks>
-internal sealed class AqdefReader(string file)
+internal sealed class AqdefReader(string file, string encoding)
 {
     /// <summary>The separators of a line of values.</summary>
     public const char BetweenCharacteristics = '\u000f', BetweenFields = '\u0014';
@@ -34,7 +34,7 @@ internal sealed class AqdefReader(string file)
     /// <summary>Reads a file: description, values, or both.</summary>
     public void Add(MeasurementBytes source)
     {
-        foreach (var line in TextLine.Of(SourceText.DecodeOwn(source.Bytes.Span, source.File, "\u000f\u0014"), source.File))
+        foreach (var line in TextLine.Of(SourceText.DecodeOwn(source.Bytes.Span, source.File, encoding, "\u000f\u0014"), source.File))
         {
             if (line.Text.AsSpan().Trim(" \t\u001a").Length == 0)
             {

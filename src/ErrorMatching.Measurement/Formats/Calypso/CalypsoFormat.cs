@@ -12,5 +12,6 @@ internal sealed class CalypsoFormat : SelfDescribingFormat
     }
 
     /// <inheritdoc/>
-    public override MeasuredContent Read(MeasurementBytes source) => new CalypsoReader(source).Read();
+    public override MeasuredContent Read(MeasurementBytes source, MeasurementFormat format) =>
+        new CalypsoReader(source, format.Encoding).Read();
 }

@@ -3,7 +3,7 @@ namespace ErrorMatching.Measurement;
 /// <summary>Reads the coordinates of a table of characteristics.</summary>
 /// <remarks>The table has a header and tabs between its cells. A characteristic whose type is <c>xValue</c>, <c>yValue</c> or
 /// <c>zValue</c> is a coordinate of its feature. The last line may be <c>END</c>. Trailing cells may be missing.</remarks>
-internal sealed class CalypsoReader(MeasurementBytes source)
+internal sealed class CalypsoReader(MeasurementBytes source, string encoding)
 {
     private const string End = "END";
     private const int MostColumns = 1_000;
@@ -19,7 +19,7 @@ internal sealed class CalypsoReader(MeasurementBytes source)
 
     public MeasuredContent Read()
     {
-        foreach (var line in TextLine.Of(SourceText.DecodeOwn(source.Bytes.Span, source.File), source.File))
+        foreach (var line in TextLine.Of(SourceText.DecodeOwn(source.Bytes.Span, source.File, encoding), source.File))
         {
             if (line.Text.AsSpan().Trim().IsEmpty)
             {

@@ -14,5 +14,6 @@ internal sealed class DmisFormat : SelfDescribingFormat
     }
 
     /// <inheritdoc/>
-    public override MeasuredContent Read(MeasurementBytes source) => new DmisReader(source).Read();
+    public override MeasuredContent Read(MeasurementBytes source, MeasurementFormat format) =>
+        new DmisReader(source, format.Encoding).Read();
 }

@@ -12,7 +12,7 @@ namespace ErrorMatching.Measurement;
 ///   0,0,1
 /// </code>
 /// </remarks>
-internal sealed class DmisReader(MeasurementBytes source)
+internal sealed class DmisReader(MeasurementBytes source, string encoding)
 {
     private const int LongestStatement = 65_536;
 
@@ -127,7 +127,7 @@ internal sealed class DmisReader(MeasurementBytes source)
     private IEnumerable<TextLine> Statements()
     {
         var (joined, first) = (new StringBuilder(), 0);
-        foreach (var line in TextLine.Of(SourceText.DecodeOwn(source.Bytes.Span, source.File), source.File))
+        foreach (var line in TextLine.Of(SourceText.DecodeOwn(source.Bytes.Span, source.File, encoding), source.File))
         {
             var comment = line.Text.IndexOf("$$", StringComparison.Ordinal);
             var text = (comment < 0 ? line.Text : line.Text[..comment]).Trim();

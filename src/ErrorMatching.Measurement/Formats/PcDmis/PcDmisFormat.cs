@@ -8,5 +8,6 @@ internal sealed class PcDmisFormat : SelfDescribingFormat
         TextLine.Of(head, source.File).Any(l => PcDmisHeader.Read(l) is not null);
 
     /// <inheritdoc/>
-    public override MeasuredContent Read(MeasurementBytes source) => new PcDmisReader(source).Read();
+    public override MeasuredContent Read(MeasurementBytes source, MeasurementFormat format) =>
+        new PcDmisReader(source, format.Encoding).Read();
 }

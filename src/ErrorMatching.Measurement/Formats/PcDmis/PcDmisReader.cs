@@ -9,7 +9,7 @@ namespace ErrorMatching.Measurement;
 /// </code>
 /// Only locations are read: the coordinates of a position are relative to its datums. A feature is a point if it has X and Y.
 /// </remarks>
-internal sealed class PcDmisReader(MeasurementBytes source)
+internal sealed class PcDmisReader(MeasurementBytes source, string encoding)
 {
     private const int LongestLine = 1_000;
     private const string Location = "LOCATION OF ", Units = "UNITS=";
@@ -27,7 +27,7 @@ internal sealed class PcDmisReader(MeasurementBytes source)
     public MeasuredContent Read()
     {
         TextLine title = default;
-        foreach (var line in TextLine.Of(SourceText.DecodeOwn(source.Bytes.Span, source.File), source.File))
+        foreach (var line in TextLine.Of(SourceText.DecodeOwn(source.Bytes.Span, source.File, encoding), source.File))
         {
             if (line.Text.Length > LongestLine)
             {

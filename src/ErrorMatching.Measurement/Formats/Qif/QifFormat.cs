@@ -8,5 +8,5 @@ internal sealed class QifFormat : SelfDescribingFormat
         head.AsSpan().TrimStart() is ['<', ..] && head.Contains("QIFDocument", StringComparison.Ordinal);
 
     /// <inheritdoc/>
-    public override MeasuredContent Read(MeasurementBytes source) => new QifReader(source).Read();
+    public override MeasuredContent Read(MeasurementBytes source, MeasurementFormat format) => new QifReader(source).Read();
 }
