@@ -20,7 +20,59 @@ public sealed partial class SelectorTests
     [InlineData("N20..N20", "2")]
     [InlineData("/^N[0-9]+ .*\\bG0?2\\b/", "4")]
     [InlineData("/X9/", "5")]
+    [InlineData("L1", "0")]
+    [InlineData("L6", "5")]
+    [InlineData("l6..L8", "5 6 7")]
+    [InlineData("L002..L2", "1")]
     public void Blocks_are_found(string selector, string expected) => Assert.Equal(expected, string.Join(' ', Selected(selector).Result!));
+
+    [Theory]
+    [InlineData("L")]
+    [InlineData("L0")]
+    [InlineData("L-1")]
+    [InlineData("L+1")]
+    [InlineData("L1.5")]
+    [InlineData("L 1")]
+    [InlineData("L1..")]
+    [InlineData("L1..5")]
+    [InlineData("L1..N5")]
+    [InlineData("N10..L5")]
+    [InlineData("L99999999999")]
+    public void What_is_no_line_is_refused(string selector) => Assert.Equal(
+        NcInputCodes.BadSelector, Assert.Throws<InputException>(() => BlockSelector.Parse(selector)).Code);
+
+    // On a Siemens control, L2 in a block calls a subprogram. A selector is no word of the program.
+    [Fact]
+    public void A_line_is_not_the_call_of_a_subprogram()
+    {
+        var program = NcProgram.FromText("L3\nG1 X1\nX2\nL2\n", NcDialects.Named("siemens-840d").Syntax);
+        Assert.Equal([1], BlockSelector.Select(program, [BlockSelector.Parse("L2")]).Result!);
+        Assert.Equal([3], BlockSelector.Select(program, [BlockSelector.Parse("/^L2$/")]).Result!);
+        Assert.True(BlockSelector.Parse("L2").IsByLine);
+        Assert.False(BlockSelector.Parse("N2").IsByLine);
+    }
+
+    [Fact]
+    public void Lines_are_counted_as_editors_do()
+    {
+        foreach (var end in (string[])["\n", "\r\n", "\r"])
+        {
+            var program = NcProgram.FromText($"%{end}{end}(two passes){end}G1 X1{end}G1 X2{end}G1 X1{end}G1 X2");
+            Assert.Equal([3, 4, 6], BlockSelector.Select(program, [BlockSelector.Parse("L7"), BlockSelector.Parse("L4..L5")]).Result!);
+        }
+    }
+
+    [Fact]
+    public void Two_passes_with_the_same_text_are_both_meant_and_both_move()
+    {
+        const string Passes = "G0 X0 Y0\nG1 Z-1 F100\nG1 X10\nG1 Y10\nG0 Z5\nG0 X0 Y0\nG1 Z-2 F100\nG1 X10\nG1 Y10\nG0 Z5\n";
+        var path = Bench.Read(Passes);
+        var selected = Bench.Blocks(path, "L3..L4", "L8..L9");
+        Assert.Equal([2, 3, 7, 8], selected);
+        Assert.Equal(
+            Passes.Replace("X10", "X10.5", StringComparison.Ordinal),
+            Bench.Displaced(path, p => DisplacementWish.EndsBy(p, selected, new(0.5, 0, 0))));
+    }
 
     [Fact]
     public void Several_selectors_give_each_block_once_in_order() =>
@@ -37,6 +89,9 @@ public sealed partial class SelectorTests
     [InlineData("N10..N50", NcRefusalCodes.BlockAmbiguous, "N50", 9)]
     [InlineData("N40..N20", NcRefusalCodes.BlockNotFound, "N20", 3)]
     [InlineData("/Q7/", NcRefusalCodes.BlockNotFound, null, null)]
+    [InlineData("L11", NcRefusalCodes.BlockNotFound, null, null)]
+    [InlineData("L3..L99", NcRefusalCodes.BlockNotFound, null, null)]
+    [InlineData("L3..L2", NcRefusalCodes.BlockNotFound, null, null)]
     public void What_names_no_block_or_several_is_refused(string selector, string code, string? block, int? line)
     {
         var refusal = Selected(selector).Refusal!;

@@ -25,4 +25,8 @@ public sealed record CounterpartDraft(
     string Map = "",
     string BlockSkip = "",
     string Libraries = "",
-    string Assume = "");
+    string Assume = "")
+{
+    /// <summary>SHA-256 of the program for which the blocks were chosen; empty if the job does not state it.</summary>
+    public string ProgramSha256 { get; init; } = "";
+}

@@ -153,7 +153,10 @@ internal sealed class DraftReader(JsonItem root, string file, MeasurementFile th
             Text(item, "mapMm"),
             Text(item, "blockSkip"),
             string.Join(';', item.Find("libraries")?.Items.Select(i => i.Text) ?? []),
-            string.Join(';', item.Find("assume")?.Members.Select(m => $"{m.Name}={m.Value.Text}") ?? []));
+            string.Join(';', item.Find("assume")?.Members.Select(m => $"{m.Name}={m.Value.Text}") ?? []))
+        {
+            ProgramSha256 = Text(item, "programSha256"),
+        };
     }
 
     private static CompensationDraft Compensation(JsonItem? item) => new(

@@ -190,6 +190,7 @@ internal sealed class DraftWriter(MatingDraft draft)
             counterpart["assume"] = assume;
         }
 
+        Optional(counterpart, "programSha256", c.ProgramSha256);
         if (HasText(c.Libraries))
         {
             counterpart["libraries"] = Texts(

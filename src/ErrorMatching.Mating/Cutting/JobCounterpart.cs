@@ -25,6 +25,10 @@ public sealed record JobCounterpart(
     /// <summary>Values of variables that only the machine knows; none if the job does not state them.</summary>
     public AssumedValues Assumed { get; init; } = AssumedValues.None;
 
+    /// <summary>SHA-256 of the program for which the blocks were chosen, 64 lowercase hexadecimal digits; null if the job does not state
+    /// it.</summary>
+    public string? ProgramSha256 { get; init; }
+
     /// <summary>Folders with programs that the program calls, as the job writes them; searched in order, behind the program's own
     /// folder.</summary>
     public IReadOnlyList<string> Libraries { get; init; } = [];

@@ -65,6 +65,17 @@ internal sealed class JobReader(JsonItem root)
                 NcDialects.ExpectedInsteadOf(job.Counterpart.Dialect));
         }
 
+        // A line is another block once a line before it is inserted or removed.
+        if (job.Counterpart.ProgramSha256 is null
+            && job.Features.SelectMany(f => f.Blocks).FirstOrDefault(b => b is ['L' or 'l', ..]) is { } line)
+        {
+            _problems.Refuse(
+                root["counterpart"],
+                "program-hash-missing",
+                $"no key \"programSha256\" beside the lines {line}",
+                "the SHA-256 of the program for which the lines were chosen, as sha256sum prints it");
+        }
+
         features.Labels.CheckWithout();
         new LimitCheck(_problems).Check(root, job);
         return job;
@@ -197,6 +208,7 @@ internal sealed class JobReader(JsonItem root)
         BlockSkip = BlockSkips.Of(item.Find("blockSkip")?.Text),
         Assumed = ReadAssumed(item.Find("assume")),
         Libraries = [.. item.Find("libraries")?.Items.Select(i => i.Text) ?? []],
+        ProgramSha256 = item.Find("programSha256")?.Text.ToLowerInvariant(),
     };
 
     private static RigidTransform2 ReadFrame(JsonItem item)

@@ -1,3 +1,4 @@
+using System.Security.Cryptography;
 using System.Globalization;
 using ErrorMatching.Geometry;
 using ErrorMatching.Measurement;
@@ -23,6 +24,9 @@ internal static class FeatureMapper
     /// <summary>Code of the refusal of blocks that two features name.</summary>
     public const string BlocksOverlap = "blocks-overlap";
 
+    /// <summary>Code of the refusal of another program than that for which the blocks were chosen.</summary>
+    public const string ProgramChanged = "program-changed";
+
     /// <summary>Cosine of the angle from which a point counts as beside its motion: 5 degrees.</summary>
     private const double CornerCosine = 0.996;
 
@@ -41,6 +45,11 @@ internal static class FeatureMapper
     {
         var found = new List<FeatureMap>();
         maps = found;
+        if (Changed(job, path.Program) is { } changed)
+        {
+            return changed;
+        }
+
         var owners = new Dictionary<int, string>();
         foreach (var feature in job.Features)
         {
@@ -74,6 +83,16 @@ internal static class FeatureMapper
 
         return null;
     }
+
+    /// <summary>Why a program is not the one for which the job's blocks were chosen; null if it is, or if the job does not say.</summary>
+    internal static Refusal? Changed(MatingJob job, NcProgram program) =>
+        job.Counterpart.ProgramSha256 is { } stated
+        && Convert.ToHexStringLower(SHA256.HashData(program.Bytes.Span)) is var found && found != stated
+            ? new(
+                ProgramChanged,
+                $"The program has the SHA-256 {found}, the job was made for {stated}: it was edited, or it is another program. Check the "
+                    + "blocks of all features, then write the new SHA-256 to programSha256.")
+            : null;
 
     private static Refusal? Map(
         MatingJob job, NcPath path, JobFeature feature, int[] blocks, MeasurementFile theoretical, out FeatureMap? map)

@@ -6,9 +6,13 @@ using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Selects blocks of a program by a number (<c>N110</c>), a range of numbers (<c>N110..N130</c>), or a regular expression
-/// between slashes that is matched against each block's text (<c>/^N8[0-9]{3}\b/</c>).</summary>
+/// <summary>Selects blocks of a program by a number (<c>N110</c>), a range of numbers (<c>N110..N130</c>), a line of the file
+/// (<c>L12</c>), a range of lines (<c>L12..L40</c>), or a regular expression between slashes that is matched against each block's text
+/// (<c>/^N8[0-9]{3}\b/</c>).</summary>
 /// <remarks>
+/// Lines are counted from 1, whatever is in them, as editors and messages do. They have nothing to do with words of the program: L12
+/// selects line 12 and not the blocks that call a subprogram 12. A line stays the same block only in the same file, so whoever stores such
+/// a selector must also store the program's SHA-256.
 /// Numbers are compared by value, so N0110 is N110. Expressions run on the non-backtracking engine: its time depends only on the length
 /// of the program, so it needs no timeout, and the result does not depend on the computer's load. That engine has no lookaround and no
 /// backreferences, so expressions cannot use them.
@@ -24,20 +28,25 @@ public sealed class BlockSelector
     private readonly NcNumber? _first;
     private readonly NcNumber? _last;
     private readonly Regex? _pattern;
+    private readonly (int First, int Last)? _lines;
 
-    private BlockSelector(string text, NcNumber? first, NcNumber? last, Regex? pattern)
+    private BlockSelector(string text, NcNumber? first, NcNumber? last, Regex? pattern, (int First, int Last)? lines = null)
     {
         Text = text;
         _first = first;
         _last = last;
         _pattern = pattern;
+        _lines = lines;
     }
 
     /// <summary>The selector as given.</summary>
     public string Text { get; }
 
+    /// <summary>True for lines of the file, which are other blocks once a line is inserted or removed.</summary>
+    public bool IsByLine => _lines is not null;
+
     /// <summary>Reads a selector.</summary>
-    /// <exception cref="InputException">It is not a number, a range or a valid expression
+    /// <exception cref="InputException">It is not a number, a line, a range or a valid expression
     /// (<see cref="NcInputCodes.BadSelector"/>).</exception>
     public static BlockSelector Parse(string text)
     {
@@ -47,6 +56,11 @@ public sealed class BlockSelector
         }
 
         var parts = text.Split("..", 2);
+        if (parts[0] is ['L' or 'l', ..])
+        {
+            return new(text, null, null, null, (Line(parts[0], text), Line(parts[^1], text)));
+        }
+
         return new(text, Number(parts[0], text), parts.Length == 2 ? Number(parts[1], text) : null, null);
     }
 
@@ -152,9 +166,17 @@ public sealed class BlockSelector
             ? token.Number.Trim()
             : throw new InputException(new Refusal(
                 NcInputCodes.BadSelector,
-                $"\"{whole}\" names no block. Expected a number (N110), a range (N110..N130) or an expression between slashes "
-                    + $"(/^N8[0-9]{{3}}/)."));
+                $"\"{whole}\" names no block. Expected a number (N110), a range (N110..N130), lines of the file (L12..L40) or an "
+                    + $"expression between slashes (/^N8[0-9]{{3}}/)."));
     }
+
+    private static int Line(string part, string whole) =>
+        part is ['L' or 'l', _, ..]
+        && int.TryParse(part.AsSpan(1), NumberStyles.None, CultureInfo.InvariantCulture, out var line) && line > 0
+            ? line
+            : throw new InputException(new Refusal(
+                NcInputCodes.BadSelector,
+                $"\"{whole}\" names no lines. Expected a line of the file (L12), counted from 1, or a range of lines (L12..L40)."));
 
     private static Regex Compile(string expression)
     {
@@ -185,6 +207,11 @@ public sealed class BlockSelector
             return CollectByPattern(program, _pattern, chosen);
         }
 
+        if (_lines is var (first, last))
+        {
+            return CollectLines(program, first, last, chosen);
+        }
+
         if (Single(program, wanted, _first!.Value, out var from) is { } missing)
         {
             return missing;
@@ -207,6 +234,29 @@ public sealed class BlockSelector
         }
 
         for (var i = from; i <= to; i++)
+        {
+            chosen[i] = true;
+        }
+
+        return null;
+    }
+
+    private Refusal? CollectLines(NcProgram program, int first, int last, BitArray chosen)
+    {
+        if (last < first)
+        {
+            return new(NcRefusalCodes.BlockNotFound, $"The range {Text} ends before it begins. Swap the two.");
+        }
+
+        if (last > program.BlockCount)
+        {
+            return new(
+                NcRefusalCodes.BlockNotFound,
+                $"The program has {program.BlockCount.ToString(CultureInfo.InvariantCulture)} lines; {Text} is beyond them. Is it the "
+                    + $"program for which the lines were chosen?");
+        }
+
+        for (var i = first - 1; i < last; i++)
         {
             chosen[i] = true;
         }

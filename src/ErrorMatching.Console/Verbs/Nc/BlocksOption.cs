@@ -10,7 +10,8 @@ internal sealed class BlocksOption : Option<string[]>
     public BlocksOption()
         : base("--blocks")
     {
-        Description = "The blocks: a number (N110), a range (N110..N130) or a regular expression (/^N8[0-9]{3}/), one or more of them.";
+        Description = "The blocks: a number (N110), a range (N110..N130), lines of the file (L12..L40) or a regular expression "
+            + "(/^N8[0-9]{3}/), one or more of them.";
         HelpName = "SELECTOR";
         Required = true;
         Arity = ArgumentArity.OneOrMore;
