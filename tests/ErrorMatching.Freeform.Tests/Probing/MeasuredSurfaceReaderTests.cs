@@ -66,6 +66,27 @@ public sealed class MeasuredSurfaceReaderTests
         Assert.Empty(measured.Warnings);
     }
 
+    // LinuxCNC writes centers of the ball without labels. A results file has the radius of its ball, so it has contacts already.
+    [Fact]
+    public void Logs_of_controls_have_the_points_of_the_plan_in_its_order()
+    {
+        var measuring = Plan.Measuring with { ReportsStylusCenter = true };
+        var log = string.Concat(Plan.Points.Select(Plan.CenterOf).Select(
+            c => FormattableString.Invariant($"{c.X:F6} {c.Y:F6} {c.Z:F6} 0.000000 0.000000 0.000000 0.000000 0.000000 0.000000\n")));
+        var results = string.Concat(Plan.Points.Select(p => FormattableString.Invariant(
+            $"G800 N{p.Number} {Words(Plan.ContactOf(p))} I{p.Normal.X:F9} J{p.Normal.Y:F9} K{p.Normal.Z:F9}\n")
+            + FormattableString.Invariant($"G801 N{p.Number} {Words(Plan.CenterOf(p))} R{Plan.StylusRadiusMm:F6}\n")));
+        foreach (var text in (string[])[log, results])
+        {
+            Assert.All(Read(text, measuring).Points, p => Assert.True((p.Contact - Plan.ContactOf(p.Planned)).Length < 2e-6));
+        }
+
+        var error = Assert.Throws<InputException>(() => Read(log[(log.IndexOf('\n', StringComparison.Ordinal) + 1)..], measuring));
+        Assert.Equal(MeasurementError.PointCount, error.Code);
+
+        static string Words(Point3 p) => FormattableString.Invariant($"X{p.X:F6} Y{p.Y:F6} Z{p.Z:F6}");
+    }
+
     [Theory]
     [InlineData("1.2E-07", 1.2e-7)]
     [InlineData("-5.EX-6", -5e-6)]

@@ -13,7 +13,7 @@ internal sealed class DprntFormat : SelfDescribingFormat
             return false;
         }
 
-        var first = LogLines.OfHead(head).FirstOrDefault(l => l != DprntReader.Bracket);
+        var first = LogLines.OfHead(head).FirstOrDefault(l => l != LogLines.Bracket);
         var words = first is null ? null : LogWord.Read(first);
         return words is not null && DprntLayout.Of(words) is { } layout && (layout.HasLetters || IsBracketed(source, head));
     }
@@ -23,6 +23,6 @@ internal sealed class DprntFormat : SelfDescribingFormat
 
     // Numbers alone could be any table. The percent sign before or behind them is the control's.
     private static bool IsBracketed(MeasurementBytes source, string head) =>
-        LogLines.OfHead(head).First() == DprntReader.Bracket
+        LogLines.OfHead(head).First() == LogLines.Bracket
         || source.Bytes.Span.TrimEnd(" \t\r\n\u0011\u0012\u0013\u0014"u8) is [.., (byte)'\n' or (byte)'\r', (byte)'%'];
 }

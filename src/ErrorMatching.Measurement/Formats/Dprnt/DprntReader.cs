@@ -3,9 +3,6 @@ namespace ErrorMatching.Measurement;
 /// <summary>Reads the lines that a macro printed. All of them have the layout of the first one.</summary>
 internal sealed class DprntReader(MeasurementBytes source, MeasurementFormat format)
 {
-    /// <summary>The line that POPEN and PCLOS print.</summary>
-    public const string Bracket = "%";
-
     private readonly LogPoints _points = new(source.File, format.Unit);
     private DprntLayout? _layout;
     private List<LogWord>? _before;
@@ -18,7 +15,7 @@ internal sealed class DprntReader(MeasurementBytes source, MeasurementFormat for
         TextLine? end = null;
         foreach (var line in LogLines.Of(source, format))
         {
-            if (line.Text == Bracket)
+            if (line.Text == LogLines.Bracket)
             {
                 (_isOpened, end) = (true, _layout is null ? null : line);
             }

@@ -57,7 +57,7 @@ internal sealed partial class LinePattern
                 points.Add(
                     Cell(line, found, "label"), Cell(line, found, "x")!.Value, Cell(line, found, "y")!.Value, Cell(line, found, "z"));
             }
-            else if (line.Text.StartsWith(_first, StringComparison.Ordinal) && line.Text != DprntReader.Bracket)
+            else if (line.Text.StartsWith(_first, StringComparison.Ordinal) && line.Text != LogLines.Bracket)
             {
                 throw line.Fail(
                     MeasurementError.BadStructure,

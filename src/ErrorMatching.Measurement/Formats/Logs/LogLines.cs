@@ -4,6 +4,9 @@ namespace ErrorMatching.Measurement;
 /// line.</summary>
 internal static class LogLines
 {
+    /// <summary>The line that POPEN and PCLOS print before and behind a log.</summary>
+    public const string Bracket = "%";
+
     private const int LongestLine = 1_000;
 
     // DC1 to DC4, which controls send around what they print.
