@@ -54,6 +54,27 @@ public sealed class CorrectionComputerTests
         Assert.Equal(CorrectionCodes.JobChanged, Samples.Refusal(request).Code);
     }
 
+    // A control's log arrives as a gauge's file does. Its points have no labels, so they have the order of the theoretical file.
+    [Fact]
+    public void A_log_of_a_control_gives_what_its_table_gives()
+    {
+        var part = Samples.Part("complex-mating");
+        var rows = System.Text.Encoding.UTF8.GetString(part.Measurement.Bytes.Span)
+            .Split('\n', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries).Skip(1).Select(l => l.Split(','));
+        var log = string.Concat(rows.Select(r => $"[PRB:{r[1]},{r[2]},-5.000:1]\r\nok\r\n"));
+        var logged = part with { Measurement = new("probe.log", System.Text.Encoding.UTF8.GetBytes(log)) };
+        Assert.Equal(Blocks(Samples.Program(part)), Blocks(Samples.Program(logged)));
+        var missed = log.Replace(":1]\r\nok\r\n[PRB:-32.3", ":0]\r\nok\r\n[PRB:-32.3", StringComparison.Ordinal);
+        Assert.NotEqual(log, missed);
+        Assert.Equal(
+            "missed-touch",
+            Samples.Refusal(part with { Measurement = new("probe.log", System.Text.Encoding.UTF8.GetBytes(missed)) }).Code);
+
+        // The marker has the hash of the measurement.
+        static string[] Blocks(ComputedProgram computed) =>
+            [.. System.Text.Encoding.Latin1.GetString(computed.Program.Span).Split('\n').Where(l => l.StartsWith('N'))];
+    }
+
     [Fact]
     public void A_part_within_tolerance_gives_the_original_program()
     {
