@@ -15,7 +15,8 @@ internal sealed class CutPath
 
     // So many of the longest lines are tried.
     private const int MostLines = 60;
-    private const int CellsAlong = 200;
+    private const int CellsAlong = 64;
+    private const double LeastCellMm = 2;
 
     private readonly NcPath _path;
     private readonly List<int> _motions = [];
@@ -46,7 +47,7 @@ internal sealed class CutPath
             }
         }
 
-        _cellMm = _motions.Count == 0 ? 1 : Math.Max(0.5, Math.Max(right - left, high - low) / CellsAlong);
+        _cellMm = _motions.Count == 0 ? 1 : Math.Max(LeastCellMm, Math.Max(right - left, high - low) / CellsAlong);
         foreach (var m in _motions)
         {
             var steps = 1 + (int)Math.Min(100_000, path.Motions[m].PlaneLength / _cellMm * 2);
@@ -93,7 +94,7 @@ internal sealed class CutPath
             }
 
             var (from, to) = (motion.PlaneStart, motion.PlaneEnd);
-            if (lines.Count > 0 && lines[^1] is var last && last.To.DistanceTo(from) < SameLineMm && last.IsCompensated == IsOffset(m)
+            if (lines.Count > 0 && lines[^1] is var last && last.To.DistanceTo(from) < SameLineMm && last.From.DistanceTo(to) > SameLineMm && last.IsCompensated == IsOffset(m)
                 && last.Direction.Dot((to - last.From).Normalize()) > SameLineCosine
                 && last.Direction.Dot((to - from).Normalize()) > SameLineCosine)
             {

@@ -22,6 +22,7 @@ internal sealed record OutlineLaying(
     private const double SampleMm = 1;
     private const int MostSamples = 400;
     private const int FewSamples = 48;
+    private const int LeastOfFew = 20;
     private const double RoughMm = 0.5;
 
     // Candidates that cover the most of few places are refined with all.
@@ -37,9 +38,11 @@ internal sealed record OutlineLaying(
     // Cosine of 12 degrees: what cuts a place leads along it.
     private const double ParallelCross = 0.978;
 
-    // The nearest and the next round's share of the middle distance within which places count.
+    // In the next round, places count that are off by no more than this many times what four of five are off by. Of the middle one, half
+    // of an outline could fit exactly and keep the other half out. Not less than half of the distance before: a step may move them.
     private const double LeastCaptureMm = 0.005;
-    private const double OfMedian = 4;
+    private const double OfMost = 2.5;
+    private const double Most = 0.8;
 
     // Two ways that differ by less are one.
     private const double SameWayMm = 0.05;
@@ -60,10 +63,7 @@ internal sealed record OutlineLaying(
         var found = new List<OutlineLaying>();
         foreach (var mirror in new[] { Mirror.None, Mirror.X })
         {
-            foreach (var radius in radii)
-            {
-                found.AddRange(Best(elements, samples, cuts, mirror, radius, isGiven: radiusMm is not null || radius == 0));
-            }
+            found.AddRange(Best(elements, samples, cuts, mirror, radii));
 
             if (found.Exists(f => f.CoveredShare > 0.98))
             {
@@ -72,7 +72,7 @@ internal sealed record OutlineLaying(
         }
 
         OutlineLaying[] ordered = [
-            .. found.OrderByDescending(f => Math.Round(f.CoveredShare, 2)).ThenBy(f => Math.Round(f.RmsMm, 2))
+            .. found.OrderByDescending(f => Math.Round(f.CoveredShare, 2)).ThenBy(f => Math.Round(f.RmsMm, 3))
                 .ThenBy(f => f.Frame.Mirror != Mirror.None).ThenBy(f => Math.Round(Math.Abs(f.Frame.Rotation.Degrees), 3))
                 .ThenBy(f => f.Frame.Translation.Length)];
         if (ordered is not [var best, ..] || best.CoveredShare < LeastShare)
@@ -117,15 +117,15 @@ internal sealed record OutlineLaying(
     }
 
     private static IEnumerable<OutlineLaying> Best(
-        IReadOnlyList<OutlineElement> elements, List<OutlinePlace> samples, CutPath cuts, Mirror mirror, double radius, bool isGiven)
+        IReadOnlyList<OutlineElement> elements, List<OutlinePlace> samples, CutPath cuts, Mirror mirror, double[] radii)
     {
         OutlinePlace[] few = [.. Enumerable.Range(0, FewSamples).Select(k => samples[(int)((long)k * samples.Count / FewSamples)])];
-        var candidates = Candidates(elements, cuts, mirror, radius)
-            .Select(f => (Frame: f, Count: Count(f, few, cuts, radius)))
-            .Where(c => c.Count > FewSamples / 5)
+        var candidates = radii.SelectMany(r => Candidates(elements, cuts, mirror, r).Select(f => (Frame: f, Radius: r)))
+            .Select(c => (c.Frame, c.Radius, Count: Count(c.Frame, few, cuts, c.Radius)))
+            .Where(c => c.Count >= LeastOfFew)
             .OrderByDescending(c => c.Count).ThenBy(c => Math.Abs(c.Frame.Rotation.Degrees)).ThenBy(c => c.Frame.Translation.Length);
         var taken = new List<RigidTransform2>();
-        foreach (var (frame, _) in candidates)
+        foreach (var (frame, radius, _) in candidates)
         {
             if (taken.Exists(t => IsSame(t, frame, samples)))
             {
@@ -133,7 +133,7 @@ internal sealed record OutlineLaying(
             }
 
             taken.Add(frame);
-            yield return Refine(frame, samples, cuts, radius, isGiven);
+            yield return Refine(frame, samples, cuts, radius, isGiven: radii.Length == 1);
             if (taken.Count == Refined)
             {
                 yield break;
@@ -144,9 +144,9 @@ internal sealed record OutlineLaying(
     private static int Count(RigidTransform2 frame, OutlinePlace[] samples, CutPath cuts, double radius)
     {
         var count = 0;
-        foreach (var sample in samples)
+        for (var k = 0; k < samples.Length && count + samples.Length - k >= LeastOfFew; k++)
         {
-            count += LeftOver(frame, sample, cuts, radius, RoughMm, out _) is null ? 0 : 1;
+            count += LeftOver(frame, samples[k], cuts, radius, RoughMm, out _) is null ? 0 : 1;
         }
 
         return count;
@@ -297,7 +297,7 @@ internal sealed record OutlineLaying(
 
             // Beside rounded corners, places are off by anything: they must not pull.
             offs.Sort();
-            capture = Math.Clamp(OfMedian * offs[offs.Count / 2], LeastCaptureMm, capture);
+            capture = Math.Min(capture, Math.Max(Math.Max(LeastCaptureMm, capture / 2), OfMost * offs[(int)(Most * offs.Count)]));
         }
 
         var left = samples.Select(s => new OutlineLaying(frame, radius, 0, 0, 0, 0).LeftOver(s, cuts)).OfType<double>().ToArray();

@@ -85,7 +85,12 @@ public sealed partial class LineSelectorTests
         var job = File.ReadAllText(folder["job.json"]);
         foreach (var number in (string[])["N120", "N130", "N160", "N170", "N1190"])
         {
-            job = Regex.Replace(job, $@"\b{number}\b", FormattableString.Invariant($"L{Line(number)}"));
+            job = Regex.Replace(
+                job,
+                $@"\b{number}\b",
+                FormattableString.Invariant($"L{Line(number)}"),
+                RegexOptions.CultureInvariant,
+                TimeSpan.FromSeconds(1));
         }
 
         File.WriteAllText(
@@ -110,9 +115,9 @@ public sealed partial class LineSelectorTests
         return folder;
     }
 
-    [GeneratedRegex("^N[0-9]+ ", RegexOptions.CultureInvariant)]
+    [GeneratedRegex("^N[0-9]+ ", RegexOptions.CultureInvariant, 1000)]
     private static partial Regex NumberWord();
 
-    [GeneratedRegex("\"programSha256\": \"[0-9A-F]{64}\",", RegexOptions.CultureInvariant)]
+    [GeneratedRegex("\"programSha256\": \"[0-9A-F]{64}\",", RegexOptions.CultureInvariant, 1000)]
     private static partial Regex HashKey();
 }
