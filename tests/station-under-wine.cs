@@ -3,8 +3,8 @@
 using System.Globalization;
 using System.Runtime.InteropServices;
 
-// Does to a window on Windows what xdotool cannot: puts fingers on it, and moves it to a monitor with another scaling. It sends the messages
-// that Windows sends then; tests/station-under-wine runs it beside the station.
+// Does to a window on Windows what xdotool cannot: puts fingers on it, and moves it to a monitor with another scaling. It sends the
+// messages that Windows sends then; tests/station-under-wine runs it beside the station.
 //   TITLE tap X Y              one finger
 //   TITLE pinch X Y FROM TO    two fingers left and right of a place; what is between them grows or shrinks from FROM to TO pixels
 //   TITLE dpi VALUE            another scaling, such as 144

@@ -26,7 +26,8 @@ internal sealed record PieceErrors(string Sha256, SurfaceAlignment? Alignment, I
         }
 
         var stock = job.Stock.Of(job.Measuring.After);
-        measured = [.. measured.Select(m => m with { Points = [.. m.Points.Where(p => !job.Measuring.Without.Contains(p.Planned.Number))] })];
+        measured = [
+            .. measured.Select(m => m with { Points = [.. m.Points.Where(p => !job.Measuring.Without.Contains(p.Planned.Number))] })];
         var alignment = job.Measuring.BestFit
             ? SurfaceAlignment.BestFit(
                 nominal, [.. measured.SelectMany(m => m.Points).Select(p => (p.Planned, p.Contact))], stock, measured[0].File)
@@ -132,8 +133,8 @@ internal sealed record PieceErrors(string Sha256, SurfaceAlignment? Alignment, I
         return new(
             "outlying-point",
             $"{OutlyingPoint.Words(points)}{mean}: a chip, or a touch gone wrong, and it would be cut into the piece.{place} Clean the "
-                + $"place and the stylus and measure again, or take the point out by measuring.without. If it stays, the error changes there from one point to the next: plan more "
-                + $"points.");
+                + $"place and the stylus and measure again, or take the point out by measuring.without. If it stays, the error changes "
+                + $"there from one point to the next: plan more points.");
     }
 
     private static IReadOnlyList<ErrorSample> Average(

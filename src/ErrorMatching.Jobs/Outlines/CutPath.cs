@@ -94,7 +94,8 @@ internal sealed class CutPath
             }
 
             var (from, to) = (motion.PlaneStart, motion.PlaneEnd);
-            if (lines.Count > 0 && lines[^1] is var last && last.To.DistanceTo(from) < SameLineMm && last.From.DistanceTo(to) > SameLineMm && last.IsCompensated == IsOffset(m)
+            if (lines.Count > 0 && lines[^1] is var last && last.IsCompensated == IsOffset(m)
+                && last.To.DistanceTo(from) < SameLineMm && last.From.DistanceTo(to) > SameLineMm
                 && last.Direction.Dot((to - last.From).Normalize()) > SameLineCosine
                 && last.Direction.Dot((to - from).Normalize()) > SameLineCosine)
             {

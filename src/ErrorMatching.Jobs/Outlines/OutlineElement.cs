@@ -10,7 +10,13 @@ internal sealed record OutlineElement(OutlineElementKind Kind, IReadOnlyList<Dra
     // Directions that differ by no more go on: 1 degree, as drawings are rounded.
     private const double GoesOnSine = 0.0175;
 
-    // An arc that turns between two lines, and is shorter than this, rounds their corner.
+    // Pieces of one line are nearly parallel.
+    private const double SameLineSine = 0.002;
+
+    // Shorter lines that go on in others are pieces of a curve, mm.
+    private const double ShortMm = 2;
+
+    // An arc of at most this radius between two lines that it is tangent to rounds their corner, mm.
     private const double RoundMm = 6;
 
     /// <summary>Its start.</summary>
@@ -57,9 +63,12 @@ internal sealed record OutlineElement(OutlineElementKind Kind, IReadOnlyList<Dra
         var elements = new List<OutlineElement>();
         foreach (var curve in Rotated(chain))
         {
-            var kind = curve is DrawnLine ? OutlineElementKind.Line : OutlineElementKind.Curve;
+            var kind = KindOf(curve);
             if (elements.Count > 0 && elements[^1] is var last && last.Kind == kind
-                && GoesOn(last.Curves[^1].DirectionAtEnd, curve.DirectionAtStart))
+                && GoesOn(
+                    last.Curves[^1].DirectionAtEnd,
+                    curve.DirectionAtStart,
+                    kind == OutlineElementKind.Line ? SameLineSine : GoesOnSine))
             {
                 elements[^1] = last with { Curves = [.. last.Curves, curve] };
             }
@@ -71,8 +80,16 @@ internal sealed record OutlineElement(OutlineElementKind Kind, IReadOnlyList<Dra
 
         for (var e = 0; e < elements.Count; e++)
         {
+            if (elements[e].Curves is [DrawnLine])
+            {
+                elements[e] = elements[e] with { Kind = OutlineElementKind.Line };
+            }
+        }
+
+        for (var e = 0; e < elements.Count; e++)
+        {
             var (before, behind) = (Neighbor(e, -1), Neighbor(e, 1));
-            if (elements[e] is { Kind: OutlineElementKind.Curve, Curves: [DrawnArc arc] } && elements[e].LengthMm < RoundMm
+            if (elements[e] is { Kind: OutlineElementKind.Curve, Curves: [DrawnArc { Radius: <= RoundMm } arc] }
                 && before?.Kind == OutlineElementKind.Line && behind?.Kind == OutlineElementKind.Line
                 && GoesOn(before.Curves[^1].DirectionAtEnd, arc.DirectionAtStart)
                 && GoesOn(arc.DirectionAtEnd, behind.Curves[0].DirectionAtStart))
@@ -95,14 +112,18 @@ internal sealed record OutlineElement(OutlineElementKind Kind, IReadOnlyList<Dra
         {
             var n = chain.Curves.Count;
             first = Math.Max(0, Enumerable.Range(0, n).FirstOrDefault(
-                c => chain.Curves[c] is DrawnLine != chain.Curves[(c + n - 1) % n] is DrawnLine
+                c => KindOf(chain.Curves[c]) != KindOf(chain.Curves[(c + n - 1) % n])
                     || !GoesOn(chain.Curves[(c + n - 1) % n].DirectionAtEnd, chain.Curves[c].DirectionAtStart), 0));
         }
 
         return chain.Curves.Skip(first).Concat(chain.Curves.Take(first));
     }
 
-    private static bool GoesOn(Vector2 one, Vector2 other) => one.Dot(other) > 0 && Math.Abs(one.Cross(other)) <= GoesOnSine;
+    private static OutlineElementKind KindOf(DrawnCurve curve) =>
+        curve is DrawnLine && curve.LengthMm > ShortMm ? OutlineElementKind.Line : OutlineElementKind.Curve;
+
+    private static bool GoesOn(Vector2 one, Vector2 other, double sine = GoesOnSine) =>
+        one.Dot(other) > 0 && Math.Abs(one.Cross(other)) <= sine;
 }
 
 /// <summary>What a stretch of an outline is.</summary>

@@ -119,7 +119,8 @@ public sealed record OutlineJob
 
         if (laying.CoveredShare < 0.98)
         {
-            notes.Add(FormattableString.Invariant($"The program cuts {laying.CoveredShare:0 %} of the outline; features are proposed there."));
+            notes.Add(FormattableString.Invariant(
+                $"The program cuts {laying.CoveredShare:0 %} of the outline; features are proposed there."));
         }
 
         var features = chains.SelectMany(c => OutlineFeature.Of(c, laying, cuts, notes)).OrderBy(f => f.Motion).Select(f => f.Feature);
@@ -137,7 +138,8 @@ public sealed record OutlineJob
         if (layer is null)
         {
             return drawing.Layers.Count == 1 ? drawing.Layers[0]
-                : throw InputException.At("layer-missing", drawing.File, $"it has the layers {layers}. Name the one that mates by --layer.");
+                : throw InputException.At(
+                    "layer-missing", drawing.File, $"it has the layers {layers}. Name the one that mates by --layer.");
         }
 
         return drawing.Layers.Contains(layer, StringComparer.Ordinal) ? layer
@@ -150,15 +152,16 @@ public sealed record OutlineJob
     {
         foreach (var (mm, word) in new[] { (1.0, "mm"), (25.4, "inch") }.Where(u => Math.Abs(u.Item1 - drawing.Unit.Mm) > 1e-9))
         {
-            var other = DrawingReader.Read(request.Drawing, mm);
-            if (OutlineLaying.Of([.. Chains(other, layer).SelectMany(c => c)], cuts, request.ToolDiameterMm / 2) is { CoveredShare: > LeastOther })
+            OutlineElement[] other = [.. Chains(DrawingReader.Read(request.Drawing, mm), layer).SelectMany(c => c)];
+            if (OutlineLaying.Of(other, cuts, request.ToolDiameterMm / 2) is { CoveredShare: > LeastOther })
             {
                 return new(
                     "drawing-unit",
                     string.Create(
                         CultureInfo.InvariantCulture,
-                        $"{request.Drawing} {(drawing.Unit.IsStated ? "says that its unit is" : "does not say its unit; it was tried as")} "
-                            + $"{drawing.Unit.Mm:0.######} mm, and lies on the program only in {word}. If that is meant, give --unit {word}."));
+                        $"{request.Drawing} "
+                            + $"{(drawing.Unit.IsStated ? "says that its unit is" : "does not say its unit; it was tried as")} {drawing.Unit.Mm:0.######} mm, and lies on the program only in {word}. If that is meant, give --unit "
+                            + $"{word}."));
             }
         }
 
@@ -168,8 +171,8 @@ public sealed record OutlineJob
     private static Refusal NotLaid(OutlineRequest request, Drawing drawing, string layer, CutPath cuts) =>
         UnitOf(request, drawing, layer, cuts) ?? new(
             "outline-not-laid",
-            $"No way was found to lay the layer {PrintedText.OneLine(layer)} of {request.Drawing} on what {request.Program} cuts: less than half "
-                + "of it would be one tool radius from the path. Check the layer, the program and --tool-diameter.");
+            $"No way was found to lay the layer {PrintedText.OneLine(layer)} of {request.Drawing} on what {request.Program} cuts: less than "
+                + "half of it would be one tool radius from the path. Check the layer, the program and --tool-diameter.");
 
     private static RigidTransform2 Rounded(RigidTransform2 frame)
     {
@@ -265,7 +268,8 @@ public sealed record OutlineJob
         };
 
         Refusal? Tried(
-            (string Name, FeatureKind Kind, IReadOnlyList<IReadOnlyList<(string Label, Point2 At)>> Lists, IReadOnlyList<string> Blocks) one)
+            (string Name, FeatureKind Kind, IReadOnlyList<IReadOnlyList<(string Label, Point2 At)>> Lists,
+                IReadOnlyList<string> Blocks) one)
         {
             var job = MatingJob.Parse(Encoding.UTF8.GetBytes(Text("theoretical.csv", [one])), request.Job);
             var theoretical = MeasurementReader.Read(
@@ -295,7 +299,7 @@ public sealed record OutlineJob
         var folder = Path.GetDirectoryName(Path.GetFullPath(request.Job))!;
         var text = new StringBuilder();
         text.Append(CultureInfo.InvariantCulture, $$"""
-            // A mating job made from {{Path.GetFileName(request.Drawing).ReplaceLineEndings(" ")}}. Lengths in millimeters, angles in degrees.
+            // A mating job made from {{Path.GetFileName(request.Drawing).ReplaceLineEndings(" ")}}. Millimeters and degrees.
             // To be replaced: the limits (toleranceMm), the gauge's uncertainty, and the name of the measured file.
             {
               "kind": "mating",
@@ -310,7 +314,8 @@ public sealed record OutlineJob
             var points = lists.Count == 1 ? Labels(lists[0]) : "[" + string.Join(", ", lists.Select(Labels)) + "]";
             text.Append(
                 CultureInfo.InvariantCulture,
-                $$"""    { "name": {{JsonEdit.Text(name)}}, "kind": "{{kind.Word}}", "points": {{points}}, "blocks": {{JsonEdit.List(blocks)}}, "toleranceMm": {{Limits}} },""")
+                $$"""    { "name": {{JsonEdit.Text(name)}}, "kind": "{{kind.Word}}", "points": {{points}}, """)
+                .Append(CultureInfo.InvariantCulture, $"\"blocks\": {JsonEdit.List(blocks)}, \"toleranceMm\": {Limits} }},")
                 .Append('\n');
         }
 
@@ -320,7 +325,11 @@ public sealed record OutlineJob
                 "program": {{JsonEdit.Text(FromFolder(request.Program))}},
                 "dialect": {{JsonEdit.Text(NcDialects.IsFile(request.Dialect) ? FromFolder(request.Dialect) : request.Dialect)}},
                 "toolDiameterMm": {{Number(diameter)}},
-                "frame": { "mirror": "{{frame.Mirror.ToString().ToLowerInvariant()}}", "rotateDeg": {{Number(frame.Rotation.Degrees)}}, "translateMm": [{{Number(frame.Translation.X)}}, {{Number(frame.Translation.Y)}}] }
+                "frame": {
+                  "mirror": "{{frame.Mirror.ToString().ToLowerInvariant()}}",
+                  "rotateDeg": {{Number(frame.Rotation.Degrees)}},
+                  "translateMm": [{{Number(frame.Translation.X)}}, {{Number(frame.Translation.Y)}}]
+                }
               }
             }
 

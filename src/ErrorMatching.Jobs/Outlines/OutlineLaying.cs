@@ -85,7 +85,8 @@ internal sealed record OutlineLaying(
         return best with { Others = others.Count() };
     }
 
-    /// <summary>How far a place of the outline is from where the program's tool leaves it; null if it is not cut, or only crossed.</summary>
+    /// <summary>How far a place of the outline is from where the program's tool leaves it; null if it is not cut, or only
+    /// crossed.</summary>
     public double? LeftOver(OutlinePlace drawn, CutPath cuts) => LeftOver(Frame, drawn, cuts, RadiusMm, CoverMm, out _);
 
     private static double? LeftOver(

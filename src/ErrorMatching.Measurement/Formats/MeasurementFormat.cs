@@ -30,9 +30,9 @@ public sealed record MeasurementFormat
     /// <summary>One line per point of a grid under the header <c>i,j,x_mm,y_mm,z_mm</c>. The label of a point is <c>i,j</c>.</summary>
     public static MeasurementFormat Grid { get; } = FormatReader.Embedded("grid");
 
-    /// <summary>The format <c>recognized</c>: the header shows the delimiter (comma, semicolon, tab, vertical bar or blanks) and the columns
-    /// of one of the built-in formats. Names of coordinates may lack <c>_mm</c>, and <c>label</c> may replace <c>point</c>. Decimal
-    /// points, millimeters, UTF-8.</summary>
+    /// <summary>The format <c>recognized</c>: the header shows the delimiter (comma, semicolon, tab, vertical bar or blanks) and the
+    /// columns of one of the built-in formats. Names of coordinates may lack <c>_mm</c>, and <c>label</c> may replace <c>point</c>.
+    /// Decimal points, millimeters, UTF-8.</summary>
     public static MeasurementFormat Recognized { get; } = Points with
     {
         Origin = FormatOrigin.Recognized,

@@ -34,7 +34,7 @@ public sealed partial class FolderTests
             "", "Surfaces", "Fields", "Fitting", "Exchange", "Job", "Planning", "Templates", "Probing", "ToolPaths",
             "Judging", "Evaluating", "Lots", "Compensating", "Displacing", "Reporting",
         ],
-        ["Jobs"] = ["Errors", "Reading", "Writing", "Running", "Editing"],
+        ["Jobs"] = ["Errors", "Reading", "Writing", "Running", "Editing", "Outlines"],
         ["Cell"] =
         [
             "Disk", "Rights", "States", "Reading", "Activity", "Transport", "Events", "Configuration", "Machines", "Trail", "Contents",

@@ -110,8 +110,8 @@ public sealed class OutlineJobTests : IDisposable
     public void A_program_with_compensation_does_not_tell_the_tool()
     {
         const string Compensated =
-            "G21 G17 G90 G40\nN10 G0 X-40. Y-20.\nN20 G1 G42 D1 X-20. Y0. F500.\nN30 X40.\nN40 Y10.\nN50 X26.\nN60 Y30.\nN70 X0.\nN80 Y-20.\n"
-                + "N90 G40 Y-40.\nM30\n";
+            "G21 G17 G90 G40\nN10 G0 X-40. Y-20.\nN20 G1 G42 D1 X-20. Y0. F500.\nN30 X40.\nN40 Y10.\nN50 X26.\nN60 Y30.\nN70 X0.\n"
+                + "N80 Y-20.\nN90 G40 Y-40.\nM30\n";
         Assert.Equal("tool-diameter-missing", Assert.Throws<InputException>(() => Make(Polygon(Outline), Compensated)).Code);
         Assert.Equal(6, Made(Polygon(Outline), Compensated, tool: 8).Features.Count);
     }

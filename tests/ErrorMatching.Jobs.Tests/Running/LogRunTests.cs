@@ -39,7 +39,8 @@ public sealed class LogRunTests
         var error = Assert.Throws<InputException>(
             () => new JobFiles(folder["job.json"]).Part(new GivenFile("log.txt", Bytes(log[1..]))));
         Assert.Equal((MeasurementError.PointCount, "log.txt"), (error.Code, error.File));
-        Assert.Contains(string.Create(CultureInfo.InvariantCulture, $"{Needed.Length - 1} points"), error.Message, StringComparison.Ordinal);
+        var count = string.Create(CultureInfo.InvariantCulture, $"{Needed.Length - 1} points");
+        Assert.Contains(count, error.Message, StringComparison.Ordinal);
         Assert.Contains(string.Create(CultureInfo.InvariantCulture, $"{Needed.Length}, one"), error.Message, StringComparison.Ordinal);
     }
 

@@ -67,9 +67,9 @@ internal sealed class JobNewFromOutlineAnswer(string file, string theoretical, O
         var (rotation, shift) = (made.Frame.Rotation.Degrees, made.Frame.Translation);
         page.Line(string.Create(
             CultureInfo.InvariantCulture,
-            $"Laid on the program by mirror {MirrorWord}, rotation {rotation:0.####}°, shift X {shift.X:0.####} Y {shift.Y:0.####} mm, with "
-                + $"a tool of {made.ToolDiameterMm:0.###} mm: {made.CoveredShare:0 %} of the outline is cut. There the program leaves the key "
-                + $"points {made.RmsMm:0.0000} mm (rms) and at most {made.LargestMm:0.0000} mm off."));
+            $"Laid on the program by mirror {MirrorWord}, rotation {rotation:0.####}°, shift X {shift.X:0.####} Y {shift.Y:0.####} mm, "
+                + $"with a tool of {made.ToolDiameterMm:0.###} mm: {made.CoveredShare:0 %} of the outline is cut. There the program leaves "
+                + $"the key points {made.RmsMm:0.0000} mm (rms) and at most {made.LargestMm:0.0000} mm off."));
         page.Line(string.Create(CultureInfo.InvariantCulture, $"One unit of the drawing is {made.UnitMm:0.######} mm."));
         page.Line();
         page.Table(
@@ -82,8 +82,8 @@ internal sealed class JobNewFromOutlineAnswer(string file, string theoretical, O
             page.Line($"Note: {note}");
         }
 
-        page.Line($"Wrote {file} and {theoretical}. The drawing says no limits: ±0.05 mm stands at each feature, and 0.005 mm for the gauge. "
-            + $"Write your own, then: errormatch job check {file}");
+        page.Line($"Wrote {file} and {theoretical}. The drawing says no limits: ±0.05 mm stands at each feature, and 0.005 mm for the "
+            + $"gauge. Write your own, then: errormatch job check {file}");
     }
 
     private string MirrorWord => made.Frame.Mirror switch { Mirror.X => "x", Mirror.Y => "y", _ => "none" };
