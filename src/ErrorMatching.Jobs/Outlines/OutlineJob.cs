@@ -155,13 +155,13 @@ public sealed record OutlineJob
             OutlineElement[] other = [.. Chains(DrawingReader.Read(request.Drawing, mm), layer).SelectMany(c => c)];
             if (OutlineLaying.Of(other, cuts, request.ToolDiameterMm / 2) is { CoveredShare: > LeastOther })
             {
+                var said = drawing.Unit.IsStated ? "says that its unit is" : "does not say its unit; it was tried as";
                 return new(
                     "drawing-unit",
                     string.Create(
                         CultureInfo.InvariantCulture,
-                        $"{request.Drawing} "
-                            + $"{(drawing.Unit.IsStated ? "says that its unit is" : "does not say its unit; it was tried as")} {drawing.Unit.Mm:0.######} mm, and lies on the program only in {word}. If that is meant, give --unit "
-                            + $"{word}."));
+                        $"{request.Drawing} {said} {drawing.Unit.Mm:0.######} mm, and lies on the program only in {word}. If that is "
+                            + $"meant, give --unit {word}."));
             }
         }
 
@@ -171,8 +171,8 @@ public sealed record OutlineJob
     private static Refusal NotLaid(OutlineRequest request, Drawing drawing, string layer, CutPath cuts) =>
         UnitOf(request, drawing, layer, cuts) ?? new(
             "outline-not-laid",
-            $"No way was found to lay the layer {PrintedText.OneLine(layer)} of {request.Drawing} on what {request.Program} cuts: less than "
-                + "half of it would be one tool radius from the path. Check the layer, the program and --tool-diameter.");
+            $"No way was found to lay the layer {PrintedText.OneLine(layer)} of {request.Drawing} on what {request.Program} cuts: less "
+                + "than half of it would be one tool radius from the path. Check the layer, the program and --tool-diameter.");
 
     private static RigidTransform2 Rounded(RigidTransform2 frame)
     {
