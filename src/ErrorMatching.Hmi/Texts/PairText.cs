@@ -24,6 +24,13 @@ internal static class PairText
                     Shown.MmAsKnown(pair.RoundCorners.Max(c => c.OverlapMm), null)));
     }
 
+    /// <summary>The same for the head of a view, which has no room for what needs no decision: empty for a part that can be lifted off
+    /// whatever its corners are.</summary>
+    /// <param name="pair">The pair; null if nothing is known of one.</param>
+    /// <param name="limits">The limits of the mating error, of each feature.</param>
+    public static string Head(PairAssembly? pair, IEnumerable<ToleranceBand> limits) =>
+        pair is null or { TightestMm: null, RoundCorners.Count: 0 } ? "" : Of(pair, limits);
+
     private static string Together(PairAssembly pair, IEnumerable<ToleranceBand> limits)
     {
         var texts = Texts.Current;

@@ -113,8 +113,8 @@ public sealed record OutlineJob
         if (laying.Others > 0)
         {
             notes.Add(
-                $"The outline can be laid on the program in {laying.Others + 1} ways; this one moves it least. Look at the frame: a wrong "
-                    + "one puts every correction at a wrong place.");
+                $"The outline can be laid on the program in {laying.Others + 1} ways or more; this one moves it least. Look at the "
+                    + "frame: a wrong one puts every correction at a wrong place.");
         }
 
         if (laying.CoveredShare < 0.98)

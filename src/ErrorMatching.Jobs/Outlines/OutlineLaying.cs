@@ -64,11 +64,6 @@ internal sealed record OutlineLaying(
         foreach (var mirror in new[] { Mirror.None, Mirror.X })
         {
             found.AddRange(Best(elements, samples, cuts, mirror, radii));
-
-            if (found.Exists(f => f.CoveredShare > 0.98))
-            {
-                break;
-            }
         }
 
         OutlineLaying[] ordered = [

@@ -99,7 +99,7 @@ internal sealed class CorrectionDetail
     public string? LeftOver => _verdict is null ? null : Sentence.Joined(
         MatchVerdictText.Worst(_verdict) ?? "",
         MatchVerdictText.Risk(Stored.Report!) ?? "",
-        _verdict.Pair is { } pair ? PairText.Of(pair, _verdict.AllLimits) : "",
+        PairText.Head(_verdict.Pair, _verdict.AllLimits),
         _piece!.PushedOut is { Count: > 0 } pushed ? Texts.Current.With("Verify.PushedOut", Texts.Current.Listed(pushed)) : "");
 
     /// <summary>What the machine needs and the program lacks, in words; null if nothing.</summary>

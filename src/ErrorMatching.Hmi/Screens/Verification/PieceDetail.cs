@@ -77,7 +77,7 @@ internal sealed class PieceDetail : Observable
     public string Verdict => _piece.Verdict is { } verdict
         ? Sentence.Joined(
             VerifyVerdictText.Of(verdict),
-            _piece.Pair is { } pair ? PairText.Of(pair, _piece.Result.Boundaries.Select(b => b.ErrorBand)) : "",
+            PairText.Head(_piece.Pair, _piece.Result.Boundaries.Select(b => b.ErrorBand)),
             PushedOutOf(_piece))
         : VerdictOf(_piece);
 
