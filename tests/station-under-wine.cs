@@ -52,12 +52,9 @@ void Finger(uint message, int finger, int x, int y)
 {
     // In contact, unless it is lifted; places are those of the screen.
     var flags = message == Up ? 0 : 4;
-    if (PostMessage(window, message, (flags << 16) | finger, (y << 16) | x) == 0)
-    {
-        throw new InvalidOperationException("The message could not be sent.");
-    }
 
-    Thread.Sleep(30);
+    // It returns when the window has taken the message.
+    _ = SendMessage(window, message, (flags << 16) | finger, (y << 16) | x);
 }
 
 // The message refers to a rectangle, which has to be in the other process.
@@ -85,7 +82,6 @@ internal partial class Program
     [DllImport("user32", EntryPoint = "FindWindowW", CharSet = CharSet.Unicode)]
     private static extern nint FindWindow(string? kind, string title);
 
-    [DllImport("user32", EntryPoint = "PostMessageW")] private static extern int PostMessage(nint window, uint message, nint w, nint l);
     [DllImport("user32", EntryPoint = "SendMessageW")] private static extern nint SendMessage(nint window, uint message, nint w, nint l);
     [DllImport("user32")] private static extern unsafe int GetWindowRect(nint window, Rect* rect);
     [DllImport("user32")] private static extern unsafe uint GetWindowThreadProcessId(nint window, uint* process);
