@@ -11,8 +11,8 @@ namespace ErrorMatching.Nc;
 /// (<c>/^N8[0-9]{3}\b/</c>).</summary>
 /// <remarks>
 /// Lines are counted from 1, whatever is in them, as editors and messages do. They have nothing to do with words of the program: L12
-/// selects line 12 and not the blocks that call a subprogram 12. A line stays the same block only in the same file, so whoever stores such
-/// a selector must also store the program's SHA-256.
+/// selects line 12 and not the blocks that call a subprogram 12. In an edited file, the same line may be another block: a job that names
+/// lines also states the program's SHA-256.
 /// Numbers are compared by value, so N0110 is N110. Expressions run on the non-backtracking engine: its time depends only on the length
 /// of the program, so it needs no timeout, and the result does not depend on the computer's load. That engine has no lookaround and no
 /// backreferences, so expressions cannot use them.
