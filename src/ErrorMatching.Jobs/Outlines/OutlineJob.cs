@@ -16,14 +16,17 @@ public sealed record OutlineJob
     // Limits that somebody has to replace: a drawing does not say them.
     private const string Limits = "[-0.05, 0.05]";
 
-    // No word of a program says less, mm and degrees.
-    private const int Decimals = 4;
+    // No word of a program says less, mm; and what turns a meter by less than that, degrees.
+    private const int Decimals = 4, DecimalsOfDegrees = 6;
 
     // In another unit, at least this share of the outline has to be cut before the unit is doubted.
     private const double LeastOther = 0.6;
 
-    // Rotations nearer than this to quarter turns are those, degrees.
-    private const double QuarterDegrees = 0.01;
+    // Rotations nearer than this to quarter turns are those, degrees: a meter is turned by 5 um. The key points say what that leaves.
+    private const double QuarterDegrees = 0.0003;
+
+    /// <summary>Name of the file of the key points as designed, beside the job.</summary>
+    public const string TheoreticalFile = "theoretical.csv";
 
     private OutlineJob()
     {
@@ -32,10 +35,7 @@ public sealed record OutlineJob
     /// <summary>The job.</summary>
     public required ReadOnlyMemory<byte> Job { get; init; }
 
-    /// <summary>Name of the file of the key points as designed, which belongs beside the job.</summary>
-    public required string TheoreticalFile { get; init; }
-
-    /// <summary>The key points as designed.</summary>
+    /// <summary>The key points as designed, which belong beside the job as <see cref="TheoreticalFile"/>.</summary>
     public required ReadOnlyMemory<byte> Theoretical { get; init; }
 
     /// <summary>The layer of the outline.</summary>
@@ -99,7 +99,7 @@ public sealed record OutlineJob
                 "the control offsets the tool there (G41 or G42), so the path does not tell the tool. Give --tool-diameter.");
         }
 
-        var drawing = DrawingReader.Read(request.Drawing, request.UnitMm);
+        var drawing = Drawing.Read(request.Drawing, request.UnitMm);
         var layer = LayerOf(drawing, request.Layer);
         var chains = Chains(drawing, layer);
         var elements = chains.SelectMany(c => c).ToArray();
@@ -109,7 +109,19 @@ public sealed record OutlineJob
         }
 
         var notes = drawing.Notes.ToList();
-        laying = laying with { Frame = Rounded(laying.Frame), RadiusMm = Math.Round(laying.RadiusMm, 2) };
+        laying = laying with { Frame = Rounded(laying.Frame, elements[0].From), RadiusMm = Math.Round(laying.RadiusMm, 3) };
+        if (request.ToolDiameterMm is null)
+        {
+            notes.Add(FormattableString.Invariant(
+                $"Nobody named the tool: {2 * laying.RadiusMm:0.###} mm is what the outline's distance from the path says. An allowance ")
+                + "or a gap in the program would be taken for tool: compare, and give --tool-diameter if yours is another.");
+        }
+
+        if (!drawing.Unit.IsStated)
+        {
+            notes.Add("The drawing does not say its unit. It fits the program in millimeters.");
+        }
+
         if (laying.Others > 0)
         {
             notes.Add(
@@ -152,7 +164,7 @@ public sealed record OutlineJob
     {
         foreach (var (mm, word) in new[] { (1.0, "mm"), (25.4, "inch") }.Where(u => Math.Abs(u.Item1 - drawing.Unit.Mm) > 1e-9))
         {
-            OutlineElement[] other = [.. Chains(DrawingReader.Read(request.Drawing, mm), layer).SelectMany(c => c)];
+            OutlineElement[] other = [.. Chains(Drawing.Read(request.Drawing, mm), layer).SelectMany(c => c)];
             if (OutlineLaying.Of(other, cuts, request.ToolDiameterMm / 2) is { CoveredShare: > LeastOther })
             {
                 var said = drawing.Unit.IsStated ? "says that its unit is" : "does not say its unit; it was tried as";
@@ -160,7 +172,7 @@ public sealed record OutlineJob
                     "drawing-unit",
                     string.Create(
                         CultureInfo.InvariantCulture,
-                        $"{request.Drawing} {said} {drawing.Unit.Mm:0.######} mm, and lies on the program only in {word}. If that is "
+                        $"{request.Drawing} {said} {drawing.Unit.Mm:0.######} mm, and lies on the program in {word}. If that is "
                             + $"meant, give --unit {word}."));
             }
         }
@@ -174,29 +186,29 @@ public sealed record OutlineJob
             $"No way was found to lay the layer {PrintedText.OneLine(layer)} of {request.Drawing} on what {request.Program} cuts: less "
                 + "than half of it would be one tool radius from the path. Check the layer, the program and --tool-diameter.");
 
-    private static RigidTransform2 Rounded(RigidTransform2 frame)
+    // A place of the outline stays where it is, so that a rounded turn does not shift what is far from the origin.
+    private static RigidTransform2 Rounded(RigidTransform2 frame, Point2 pivot)
     {
-        var degrees = Math.Round(frame.Rotation.Degrees, Decimals);
+        var degrees = Math.Round(frame.Rotation.Degrees, DecimalsOfDegrees);
         var quarter = 90 * Math.Round(degrees / 90);
         degrees = Math.Abs(degrees - quarter) < QuarterDegrees ? quarter : degrees;
-        return new(
-            frame.Mirror,
-            Angle.FromDegrees(degrees == -180 ? 180 : degrees + 0.0),
-            new(Math.Round(frame.Translation.X, Decimals) + 0.0, Math.Round(frame.Translation.Y, Decimals) + 0.0));
+        var turned = new RigidTransform2(frame.Mirror, Angle.FromDegrees(degrees == -180 ? 180 : degrees + 0.0), Vector2.Zero);
+        var shift = frame.Apply(pivot) - turned.Apply(pivot);
+        return turned with { Translation = new(Math.Round(shift.X, Decimals) + 0.0, Math.Round(shift.Y, Decimals) + 0.0) };
     }
 
-    private static IEnumerable<(string Name, OutlineFeature Feature, IReadOnlyList<IReadOnlyList<(string Label, Point2 At)>> Lists)> Named(
-        IEnumerable<OutlineFeature> features)
+    private static IEnumerable<Proposed> Named(IEnumerable<OutlineFeature> features)
     {
         var (counts, label) = (new Dictionary<FeatureKind, int>(), 0);
         foreach (var feature in features)
         {
             counts[feature.Kind] = counts.GetValueOrDefault(feature.Kind) + 1;
-            yield return (
+            yield return new(
                 feature.Kind.Letter + counts[feature.Kind].ToString(CultureInfo.InvariantCulture),
-                feature,
+                feature.Kind,
                 [.. feature.Lists.Select(l => (IReadOnlyList<(string, Point2)>)[
-                    .. l.Select(p => ((++label).ToString(CultureInfo.InvariantCulture), p))])]);
+                    .. l.Select(p => ((++label).ToString(CultureInfo.InvariantCulture), p))])],
+                []);
         }
     }
 
@@ -208,22 +220,21 @@ public sealed record OutlineJob
         string layer,
         double unitMm,
         OutlineLaying laying,
-        (string Name, OutlineFeature Feature, IReadOnlyList<IReadOnlyList<(string Label, Point2 At)>> Lists)[] features,
+        Proposed[] features,
         List<string> notes)
     {
         var diameter = request.ToolDiameterMm ?? 2 * laying.RadiusMm;
         SoughtBoundary[] sought = [
             .. features.Select(f => new SoughtBoundary(
-                f.Name, CoordinatePlane.XY, [.. f.Lists.SelectMany(l => l).Select(p => (p.Label, laying.Frame.Apply(p.At)))])
+                f.Name, CoordinatePlane.XY, [.. f.Points.Select(p => (p.Label, laying.Frame.Apply(p.At)))])
             {
-                Kind = f.Feature.Kind,
+                Kind = f.Kind,
             })];
         var found = BlockProposal.Of(path, sought, diameter, JobCounterpart.DefaultMapMm);
-        var kept = new List<(string Name, FeatureKind Kind, IReadOnlyList<IReadOnlyList<(string Label, Point2 At)>> Lists,
-            IReadOnlyList<string> Blocks)>();
+        var kept = new List<Proposed>();
         for (var f = 0; f < features.Length; f++)
         {
-            var candidate = (features[f].Name, features[f].Feature.Kind, features[f].Lists, found[f].Blocks);
+            var candidate = features[f] with { Blocks = found[f].Blocks };
             if ((found[f].Refusal ?? Tried(candidate)) is { } refusal)
             {
                 notes.Add($"{features[f].Name} is left out: {refusal.Message}");
@@ -239,21 +250,14 @@ public sealed record OutlineJob
                 "outline-not-laid", $"No feature can be proposed. {string.Join(" ", notes)}".TrimEnd());
         }
 
-        double[] offs = [.. kept.SelectMany(k => k.Lists).SelectMany(l => l).Select(
+        double[] offs = [.. kept.SelectMany(k => k.Points).Select(
             p => cuts.FootOf(laying.Frame.Apply(p.At), laying.RadiusMm + JobCounterpart.DefaultMapMm) is { } foot
                 ? foot.DistanceMm - (foot.IsCompensated ? 0 : laying.RadiusMm)
                 : JobCounterpart.DefaultMapMm)];
-        var table = Table(kept.SelectMany(k => k.Lists).SelectMany(l => l));
-        var name = Path.GetFileNameWithoutExtension(request.Job) + "-theoretical.csv";
-        if (Path.GetFileName(request.Job) is "job.json")
-        {
-            name = "theoretical.csv";
-        }
-
+        var table = Table(kept.SelectMany(k => k.Points));
         return new OutlineJob
         {
-            Job = Encoding.UTF8.GetBytes(Text(name, kept)),
-            TheoreticalFile = name,
+            Job = Encoding.UTF8.GetBytes(JobText(request, laying.Frame, diameter, kept)),
             Theoretical = table,
             Layer = layer,
             UnitMm = unitMm,
@@ -262,26 +266,17 @@ public sealed record OutlineJob
             CoveredShare = laying.CoveredShare,
             RmsMm = Math.Sqrt(offs.Average(o => o * o)),
             LargestMm = offs.Max(Math.Abs),
-            Features = [.. kept.Select(k => (k.Name, k.Kind, k.Lists.Sum(l => l.Count), k.Blocks))],
+            Features = [.. kept.Select(k => (k.Name, k.Kind, k.Points.Count(), k.Blocks))],
             Notes = notes,
             Read = [request.Drawing, request.Program],
         };
 
-        Refusal? Tried(
-            (string Name, FeatureKind Kind, IReadOnlyList<IReadOnlyList<(string Label, Point2 At)>> Lists,
-                IReadOnlyList<string> Blocks) one)
+        Refusal? Tried(Proposed one)
         {
-            var job = MatingJob.Parse(Encoding.UTF8.GetBytes(Text("theoretical.csv", [one])), request.Job);
-            var theoretical = MeasurementReader.Read(
-                Table(one.Lists.SelectMany(l => l)), "theoretical.csv", MeasurementFormat.Points);
+            var job = MatingJob.Parse(Encoding.UTF8.GetBytes(JobText(request, laying.Frame, diameter, [one])), request.Job);
+            var theoretical = MeasurementReader.Read(Table(one.Points), TheoreticalFile, MeasurementFormat.Points);
             return BoundarySearch.Try(job, path, theoretical, 0, one.Blocks);
         }
-
-        string Text(
-            string file,
-            IReadOnlyList<(string Name, FeatureKind Kind, IReadOnlyList<IReadOnlyList<(string Label, Point2 At)>> Lists,
-                IReadOnlyList<string> Blocks)> of) =>
-            JobText(request, laying.Frame, diameter, file, of);
     }
 
     private static byte[] Table(IEnumerable<(string Label, Point2 At)> points) => Encoding.ASCII.GetBytes(
@@ -292,9 +287,7 @@ public sealed record OutlineJob
         OutlineRequest request,
         RigidTransform2 frame,
         double diameter,
-        string theoretical,
-        IReadOnlyList<(string Name, FeatureKind Kind, IReadOnlyList<IReadOnlyList<(string Label, Point2 At)>> Lists,
-            IReadOnlyList<string> Blocks)> features)
+        IReadOnlyList<Proposed> features)
     {
         var folder = Path.GetDirectoryName(Path.GetFullPath(request.Job))!;
         var text = new StringBuilder();
@@ -304,7 +297,7 @@ public sealed record OutlineJob
             {
               "kind": "mating",
               "name": {{JsonEdit.Text(Path.GetFileNameWithoutExtension(request.Job))}},
-              "part": { "theoretical": {{JsonEdit.Text(theoretical)}}, "measured": "part.csv" },
+              "part": { "theoretical": "{{TheoreticalFile}}", "measured": "part.csv" },
               "gauge": { "format": "points", "uncertaintyMm": 0.005 },
               "features": [
 
@@ -342,4 +335,30 @@ public sealed record OutlineJob
 
         string FromFolder(string file) => Path.GetRelativePath(folder, Path.GetFullPath(file)).Replace('\\', '/');
     }
+    // A feature with its labels; its blocks once they are found.
+    private sealed record Proposed(
+        string Name,
+        FeatureKind Kind,
+        IReadOnlyList<IReadOnlyList<(string Label, Point2 At)>> Lists,
+        IReadOnlyList<string> Blocks)
+    {
+        public IEnumerable<(string Label, Point2 At)> Points => Lists.SelectMany(l => l);
+    }
+}
+
+/// <summary>A mating job that is wanted from a drawing and a program.</summary>
+/// <param name="Job">The job to write.</param>
+/// <param name="Drawing">The drawing.</param>
+/// <param name="Program">The counterpart's program.</param>
+/// <param name="Dialect">The control that the program is written for: a built-in dialect, or a shop's dialect file.</param>
+public sealed record OutlineRequest(string Job, string Drawing, string Program, string Dialect)
+{
+    /// <summary>The layer with the outline that mates; null for the only one.</summary>
+    public string? Layer { get; init; }
+
+    /// <summary>Diameter of the tool, mm; null to find it by the distance of the outline from the path.</summary>
+    public double? ToolDiameterMm { get; init; }
+
+    /// <summary>Millimeters in the drawing's unit; null if the drawing says it.</summary>
+    public double? UnitMm { get; init; }
 }

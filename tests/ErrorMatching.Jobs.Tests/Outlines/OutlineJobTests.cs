@@ -25,6 +25,7 @@ public sealed class OutlineJobTests : IDisposable
     [InlineData(Mirror.None, 0, 0, 0)]
     [InlineData(Mirror.None, 90, 12.5, -7)]
     [InlineData(Mirror.None, -137.3, 1000, 42)]
+    [InlineData(Mirror.None, 0.008, 5, 3)]
     [InlineData(Mirror.X, 0, 0, 0)]
     [InlineData(Mirror.X, 61.25, -300, 420)]
     public void The_frame_that_was_hidden_is_found_with_the_tool(Mirror mirror, double degrees, double x, double y)
@@ -47,6 +48,29 @@ public sealed class OutlineJobTests : IDisposable
             Assert.Equal(0, Enumerable.Range(0, 6).Min(s => new Segment2(Outline[s], Outline[(s + 1) % 6]).DistanceTo(at)), 2e-4);
         });
     }
+
+    // The path is 0.02 mm farther from the outline than the tool's radius: nothing but the tool that somebody names can tell.
+    [Fact]
+    public void An_allowance_in_the_program_is_not_taken_for_tool_in_silence()
+    {
+        var program = Program.Replace("-4.", "-4.02", StringComparison.Ordinal).Replace("X44.", "X44.02", StringComparison.Ordinal)
+            .Replace("Y14.", "Y14.02", StringComparison.Ordinal).Replace("X30.", "X30.02", StringComparison.Ordinal)
+            .Replace("Y34.", "Y34.02", StringComparison.Ordinal);
+        var found = Made(Polygon(Outline), program);
+        Assert.Equal(8.04, found.ToolDiameterMm, 1e-9);
+        Assert.Contains(found.Notes, n => n.StartsWith("Nobody named the tool: 8.04 mm", StringComparison.Ordinal));
+
+        var named = Made(Polygon(Outline), program, tool: 8);
+        Assert.Equal(8, named.ToolDiameterMm);
+        Assert.DoesNotContain(named.Notes, n => n.Contains("named the tool", StringComparison.Ordinal));
+
+        // The outline moves a little, because the path does not close it.
+        Assert.InRange(named.LargestMm, 0.015, 0.025);
+    }
+
+    [Fact]
+    public void A_drawing_that_says_no_unit_is_told_to_be_in_millimeters() => Assert.Contains(
+        Made(Polygon(Outline)).Notes, n => n.StartsWith("The drawing does not say its unit.", StringComparison.Ordinal));
 
     [Fact]
     public void A_bore_is_a_circle_and_a_key_is_a_slot()

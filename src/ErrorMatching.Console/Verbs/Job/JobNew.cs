@@ -100,7 +100,7 @@ internal sealed class JobNew : Verb
             return new Failure(ExitCode.Refused, outcome.Refusals);
         }
 
-        var theoretical = Path.Combine(Path.GetDirectoryName(file) ?? "", made.TheoreticalFile);
+        var theoretical = Path.Combine(Path.GetDirectoryName(file) ?? "", OutlineJob.TheoreticalFile);
         OutputFile.CreateAll([(theoretical, made.Theoretical), (file, made.Job)], made.Read, cancellation);
         return new JobNewFromOutlineAnswer(file, theoretical, made);
     }

@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Jobs;
 
@@ -11,6 +12,16 @@ internal sealed record Drawing(string File, DrawingUnit Unit, IReadOnlyList<Draw
 {
     /// <summary>The names of its layers with curves, in the order of the file.</summary>
     public IReadOnlyList<string> Layers => [.. Curves.Select(c => c.Layer).Distinct(StringComparer.Ordinal)];
+
+    /// <summary>Reads a drawing, by its extension.</summary>
+    /// <param name="file">The file.</param>
+    /// <param name="unitMm">Millimeters in its unit, whatever it says itself; null if it says it.</param>
+    /// <exception cref="InputException">It cannot be opened or read, or is of another kind.</exception>
+    public static Drawing Read(string file, double? unitMm) => Path.GetExtension(file).ToUpperInvariant() switch
+    {
+        ".DXF" => DxfReader.Read(InputFile.Bytes(file, DxfLimits.MaxBytes), file, unitMm),
+        var other => throw InputException.At("not-a-drawing", file, $"\"{other}\" is no drawing that is read; expected a .dxf file."),
+    };
 }
 
 /// <summary>The length that the numbers of a drawing mean.</summary>
