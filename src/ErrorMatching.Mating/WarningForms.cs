@@ -46,6 +46,12 @@ public static class WarningForms
         "For {0} the program itself gives a tool radius of {1} mm, and the tool of the job has {2} mm: under cutter compensation the cut "
             + "lies beside the programmed contour by the difference. Correct the job's toolDiameterMm, or the program.");
 
+    /// <summary>Lines as the job names them, and SHA-256 of the program.</summary>
+    public static SentenceForm LinesWithoutHash { get; } = new(
+        "lines-without-hash",
+        "The job names blocks by lines ({0}) and does not state their program: once a line is inserted or removed before them, other "
+            + "blocks are meant. If they are right, write \"programSha256\": \"{1}\" under counterpart: then an edited program is refused.");
+
     /// <summary>Kind of alignment, and its residual in mm.</summary>
     public static SentenceForm Aligned { get; } = new(
         "aligned",
@@ -73,8 +79,8 @@ public static class WarningForms
     /// <summary>All of them.</summary>
     public static IReadOnlyList<SentenceForm> All { get; } =
         [
-            SparsePoints, FoldedCurve, PointOnCorner, PointNotReached, ToolRadiusDiffers, Aligned, MeasuredNotThere, GaugeCoarse,
-            UncertaintyContradicted, LotWords.Outlier, LotWords.Moved,
+            SparsePoints, FoldedCurve, PointOnCorner, PointNotReached, InsideCorner, BaseDiffers, ToolRadiusDiffers, LinesWithoutHash,
+            Aligned, MeasuredNotThere, GaugeCoarse, UncertaintyContradicted, LotWords.Outlier, LotWords.Moved,
         ];
 
     /// <summary>The warning as a statement; its sentence as words if its code has no form.</summary>

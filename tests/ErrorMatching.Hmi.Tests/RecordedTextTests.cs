@@ -11,7 +11,8 @@ public sealed partial class RecordedTextTests
 {
     // Commands, fields of the configuration, units: the same in every language.
     private static readonly string[] Stored = [
-        "errormatch cell release CONFIG", "errormatch", "toolpath.tool", "sumLimitMm", "limitMm", "mostMB", "UTC", "mm"];
+        "errormatch cell release CONFIG", "errormatch", "toolpath.tool", "sumLimitMm", "limitMm", "mostMB", "UTC", "mm",
+        "\"base\": \"correct\"", "programSha256", "counterpart"];
 
     private static readonly SentenceForm[] Forms = [.. Recorded.All, .. WarningForms.All, .. RefusalForms.All];
 

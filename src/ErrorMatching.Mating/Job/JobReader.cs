@@ -65,17 +65,6 @@ internal sealed class JobReader(JsonItem root)
                 NcDialects.ExpectedInsteadOf(job.Counterpart.Dialect));
         }
 
-        // A line is another block once a line before it is inserted or removed.
-        if (job.Counterpart.ProgramSha256 is null
-            && job.Features.SelectMany(f => f.Blocks).FirstOrDefault(b => b is ['L' or 'l', ..]) is { } line)
-        {
-            _problems.Refuse(
-                root["counterpart"],
-                "program-hash-missing",
-                $"no key \"programSha256\" beside the lines {line}",
-                "the SHA-256 of the program for which the lines were chosen, as sha256sum prints it");
-        }
-
         features.Labels.CheckWithout();
         new LimitCheck(_problems).Check(root, job);
         return job;

@@ -281,6 +281,12 @@ public static class MatchReporter
                 tool.ToString("0.###", CultureInfo.InvariantCulture));
         }
 
+        if (result.Input.Job.Counterpart.ProgramSha256 is null && result.Input.Job.Features.SelectMany(f => f.Blocks)
+            .FirstOrDefault(b => BlockSelector.Parse(b).IsByLine) is { } lines)
+        {
+            yield return WarningForms.Warning(WarningForms.LinesWithoutHash, lines, result.Input.ProgramSha256);
+        }
+
         foreach (var warning in GaugeCapability.WarningsOf(result.Input.Job))
         {
             yield return warning;

@@ -39,15 +39,16 @@ public sealed partial class LineSelectorTests
     }
 
     [Fact]
-    public void A_job_with_lines_and_without_the_hash_is_refused()
+    public void A_job_with_lines_and_without_the_hash_is_warned_of_with_the_hash_to_write()
     {
         using var folder = Copied();
         Renumber(folder);
         File.WriteAllText(
             folder["job.json"],
             HashKey().Replace(File.ReadAllText(folder["job.json"]), ""));
-        var error = Assert.Throws<InputException>(() => new JobFiles(folder["job.json"]));
-        Assert.Equal(("program-hash-missing", "$.counterpart"), (error.Code, error.Place.Path));
+        var warning = Assert.Single(Matched(folder).Report.Warnings, w => w.Code == "lines-without-hash");
+        Assert.Equal(Hash(folder), warning.Values[1]);
+        Assert.StartsWith("L", warning.Values[0], StringComparison.Ordinal);
     }
 
     [Theory]
