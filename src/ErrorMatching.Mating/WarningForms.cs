@@ -50,7 +50,8 @@ public static class WarningForms
     public static SentenceForm LinesWithoutHash { get; } = new(
         "lines-without-hash",
         "The job names blocks by lines ({0}) and does not state their program: once a line is inserted or removed before them, other "
-            + "blocks are meant. If they are right, write \"programSha256\": \"{1}\" under counterpart: then an edited program is refused.");
+            + "blocks are meant. If they are right, write \"programSha256\": \"{1}\" under counterpart: then an edited program is "
+            + "refused.");
 
     /// <summary>Kind of alignment, and its residual in mm.</summary>
     public static SentenceForm Aligned { get; } = new(

@@ -132,7 +132,8 @@ public sealed partial class RecordedTextTests
         seat.WaitFor(() => screen.Entries.Count == store.AuditEntries(0, 1000).Count, "The trail is not shown whole.");
         string[] names =
         [
-            .. Stored, "counterpart.nc", "FINISH.MPF", "A.READY", "job.json", "theoretical.csv", "X1.csv", "Sample cell",
+            // Files first: a word for a field is a part of a file's name.
+            "counterpart.nc", .. Stored, "FINISH.MPF", "A.READY", "job.json", "theoretical.csv", "X1.csv", "Sample cell",
             .. cell.Settings.Jobs.Select(j => j.Name), .. cell.Settings.Gauges.Select(g => g.Name),
             .. cell.Settings.Machines.Select(m => m.Name), DemoCell.Setter, DemoCell.Operator, DemoCell.Administrator,
         ];
