@@ -13,15 +13,15 @@ public sealed class ProbingProgram
 {
     private readonly ProbingValues _values;
 
-    private ProbingProgram(MeasuringPlan plan, NcDialect dialect, ProbingTemplate template, ProbingValues values)
+    private ProbingProgram(ProbingMoves moves, NcDialect dialect, ProbingTemplate template, ProbingValues values)
     {
-        (Plan, Dialect, Template, _values) = (plan, dialect, template, values);
+        (Moves, Dialect, Template, _values) = (moves, dialect, template, values);
         Bytes = Encoding.UTF8.GetBytes(Text(
             [ProbingTemplate.Head, ProbingTemplate.Definitions, ProbingTemplate.Body, ProbingTemplate.Tail], behind: null));
     }
 
-    /// <summary>The plan.</summary>
-    public MeasuringPlan Plan { get; }
+    /// <summary>Its moves.</summary>
+    public ProbingMoves Moves { get; }
 
     /// <summary>The dialect of the control.</summary>
     public NcDialect Dialect { get; }
@@ -32,8 +32,25 @@ public sealed class ProbingProgram
     /// <summary>The standalone program.</summary>
     public ReadOnlyMemory<byte> Bytes { get; }
 
-    /// <summary>Creates the program for a plan.</summary>
+    /// <summary>Creates the program for the plan of a surface.</summary>
     /// <param name="plan">A plan without refusals.</param>
+    /// <param name="job">Name of the job, for a comment.</param>
+    /// <param name="dialect">The control.</param>
+    /// <param name="template">As for <see cref="Of(ProbingMoves, string, NcDialect, ProbingTemplate, string?)"/>.</param>
+    /// <param name="order">The shop's order number, for a comment; null if there is none.</param>
+    /// <exception cref="InputException">As for the other one.</exception>
+    /// <exception cref="ArgumentException">The plan has refusals or no points.</exception>
+    public static ProbingProgram Of(
+        MeasuringPlan plan, string job, NcDialect dialect, ProbingTemplate template, string? order = null)
+    {
+        ArgumentNullException.ThrowIfNull(plan);
+        return plan.Refusals.Count > 0 || plan.Points.Count == 0
+            ? throw new ArgumentException("The plan cannot be used.", nameof(plan))
+            : Of(ProbingMoves.Of(plan), job, dialect, template, order);
+    }
+
+    /// <summary>Creates the program for given moves.</summary>
+    /// <param name="moves">The moves, at least one touch.</param>
     /// <param name="job">Name of the job, for a comment.</param>
     /// <param name="dialect">The control.</param>
     /// <param name="template">The template for the control, probe or shop: <see cref="ProbingTemplate.Named"/> with the dialect's name, or
@@ -41,20 +58,15 @@ public sealed class ProbingProgram
     /// <param name="order">The shop's order number, for a comment; null if there is none.</param>
     /// <exception cref="InputException">The dialect cannot interpret the result of the template (<c>bad-template</c>), or a value of
     /// the job would be written as 0 (<c>rounds-to-zero</c>).</exception>
-    /// <exception cref="ArgumentException">The plan has refusals or no points.</exception>
     public static ProbingProgram Of(
-        MeasuringPlan plan, string job, NcDialect dialect, ProbingTemplate template, string? order = null)
+        ProbingMoves moves, string job, NcDialect dialect, ProbingTemplate template, string? order = null)
     {
-        ArgumentNullException.ThrowIfNull(plan);
+        ArgumentNullException.ThrowIfNull(moves);
         ArgumentNullException.ThrowIfNull(dialect);
         ArgumentNullException.ThrowIfNull(template);
-        if (plan.Refusals.Count > 0 || plan.Points.Count == 0)
-        {
-            throw new ArgumentException("The plan cannot be used.", nameof(plan));
-        }
-
-        template.CheckAsksFor(plan.Measuring.Tool, "measuring.tool");
-        var program = new ProbingProgram(plan, dialect, template, new(plan, job, order, dialect, template.File));
+        template.CheckAsksFor(moves.Tool, "measuring.tool");
+        template.CheckAsksForAssumed(moves.Assumed);
+        var program = new ProbingProgram(moves, dialect, template, new(moves, job, order, dialect, template.File));
         program.Check();
         return program;
     }
@@ -113,7 +125,8 @@ public sealed class ProbingProgram
         return text.ToString();
     }
 
-    private void Write(StringBuilder text, IReadOnlyList<TemplateItem> items, PlanPoint? point, ProbedBehind? behind) => TemplateText.Write(
+    private void Write(
+        StringBuilder text, IReadOnlyList<TemplateItem> items, ProbingTouch? point, ProbedBehind? behind) => TemplateText.Write(
         text,
         items,
         condition => _values.Holds(condition, point, behind),
@@ -121,7 +134,7 @@ public sealed class ProbingProgram
         _values.Line,
         body =>
         {
-            foreach (var each in Plan.Points)
+            foreach (var each in Moves.Touches)
             {
                 Write(text, body, each, behind);
             }

@@ -10,20 +10,20 @@ namespace ErrorMatching.Freeform;
 public sealed class ProbingTemplate : ProgramTemplate
 {
     internal const string Head = "head", Definitions = "definitions", Body = "body", Tail = "tail";
-    internal const string AlongAxis = "along-axis", Merged = "merged", Compensated = "compensated";
+    internal const string Grid = "grid", AlongAxis = "along-axis", Merged = "merged", Compensated = "compensated", Assumed = "assumed";
 
     private static readonly TemplateGrammar Grammar = new()
     {
         Extension = "probing",
         Under = "measuring",
-        BuiltIn = ["siemens-840d", "fanuc", "fanuc-p98xx", "linuxcnc"],
+        BuiltIn = ["siemens-840d", "fanuc", "fanuc-p98xx", "linuxcnc", "grbl"],
         Sections = [Head, Definitions, Body, Tail],
         Needed = Body,
         NeededHint = "@each point to @next",
         Places = [.. ProbingValues.OfProgram, .. TemplateGrammar.ToolPlaces],
         PointPlaces = ProbingValues.OfPoint,
-        Conditions = [Merged, Compensated, TemplateGrammar.Tool, TemplateGrammar.ToolByName, TemplateGrammar.Order],
-        PointConditions = [AlongAxis, "along-x", "along-y", "along-z"],
+        Conditions = [Merged, Compensated, Assumed, TemplateGrammar.Tool, TemplateGrammar.ToolByName, TemplateGrammar.Order],
+        PointConditions = [Grid, AlongAxis, "along-x", "along-y", "along-z"],
     };
 
     private ProbingTemplate(TemplateContent content)
@@ -38,9 +38,9 @@ public sealed class ProbingTemplate : ProgramTemplate
     /// millimeters, rounded to the control's least increment.</summary>
     public static IReadOnlyList<string> Places { get; } = [.. Grammar.Places, .. Grammar.PointPlaces];
 
-    /// <summary>The conditions after <c>@if</c>: whether the measuring move is along an axis, and which one; whether the program follows
-    /// another one, and whether that one is compensated; whether the job names the probe as a tool, and whether by name;
-    /// whether it has the number of an order.</summary>
+    /// <summary>The conditions after <c>@if</c>: whether a point has a place in a grid; whether the measuring move is along an axis, and
+    /// which one; whether the program follows another one, and whether that one is compensated; whether values were assumed; whether the
+    /// job names the probe as a tool, and whether by name; whether it has the number of an order.</summary>
     public static IReadOnlyList<string> Conditions { get; } = [.. Grammar.PointConditions, .. Grammar.Conditions];
 
     /// <summary>A built-in template.</summary>
@@ -53,7 +53,7 @@ public sealed class ProbingTemplate : ProgramTemplate
     public static ProbingTemplate For(NcDialect dialect)
     {
         ArgumentNullException.ThrowIfNull(dialect);
-        return Named(dialect.Files.Count == 0 ? dialect.Name
+        return Named(dialect.Files.Count == 0 ? dialect.Name == "haas" ? "fanuc" : dialect.Name
             : dialect.Syntax == NcSyntax.Siemens ? "siemens-840d"
             : dialect.Syntax == NcSyntax.LinuxCnc ? "linuxcnc"
             : dialect.MeaningOf("DPRNT"u8) == NcMeaning.Harmless ? "fanuc"
@@ -64,6 +64,20 @@ public sealed class ProbingTemplate : ProgramTemplate
     /// <param name="name">One of <see cref="Names"/>.</param>
     /// <exception cref="InputException">As for <see cref="Named"/>.</exception>
     public static string TextOf(string name) => TextOf(name, Grammar);
+
+    /// <summary>Ensures that no program moves by values that nobody stated without a word.</summary>
+    /// <exception cref="InputException">The template says nothing of them (<c>bad-template</c>).</exception>
+    internal void CheckAsksForAssumed(IReadOnlyList<string> assumed)
+    {
+        if (assumed.Count > 0 && !Asks([.. Grammar.Sections.SelectMany(Section)], Assumed))
+        {
+            throw InputException.At(
+                "bad-template",
+                File,
+                $"it has no @if {Assumed}, and nobody stated {string.Join(", ", assumed)}. State them, or stop before the first move "
+                    + $"behind @if {Assumed} with {{assumed}} in the message.");
+        }
+    }
 
     /// <summary>Parses a template.</summary>
     /// <param name="bytes">UTF-8.</param>

@@ -6,7 +6,7 @@ using ErrorMatching.Refusals;
 namespace ErrorMatching.Freeform;
 
 /// <summary>The values of a template's placeholders, as the control reads them.</summary>
-internal sealed class ProbingValues(MeasuringPlan plan, string job, string? order, NcDialect dialect, string template)
+internal sealed class ProbingValues(ProbingMoves moves, string job, string? order, NcDialect dialect, string template)
 {
     private readonly CommentText _comments = new(dialect);
 
@@ -15,62 +15,70 @@ internal sealed class ProbingValues(MeasuringPlan plan, string job, string? orde
 
     public static readonly string[] OfProgram = [
         "job", "order", "plan", "count", "clearance.z", "feed.measuring", "feed.approach", "stylus.diameter", "overtravel.mm",
-        "approach.mm", "cut.measurement"];
+        "approach.mm", "cut.measurement", "assumed"];
 
     public static readonly string[] OfPoint =
         [
-            "point", "i", "j", "approach.x", "approach.y", "approach.z", "contact.x", "contact.y", "contact.z", "center.x", "center.y",
-            "center.z", "overtravel.x", "overtravel.y", "overtravel.z"];
+            "point", "i", "j", "name", "approach.x", "approach.y", "approach.z", "contact.x", "contact.y", "contact.z", "center.x",
+            "center.y", "center.z", "overtravel.x", "overtravel.y", "overtravel.z"];
 
-    public string this[string place, PlanPoint? point, ProbedBehind? behind] => place switch
+    public string this[string place, ProbingTouch? point, ProbedBehind? behind] => place switch
     {
         "job" => _comments.Of(job),
         "order" => _comments.Of(order ?? ""),
-        "plan" => ProbingProgram.PlanId(plan),
-        "count" => plan.Points.Count.ToString(CultureInfo.InvariantCulture),
-        "clearance.z" => Mm(plan.ClearanceZ, up: true),
-        "feed.measuring" => NotZero("feedMmPerMin", plan.Measuring.FeedMmPerMin),
-        "feed.approach" => NotZero("feedMmPerMin", plan.Measuring.FeedMmPerMin * ApproachSpeed),
-        "stylus.diameter" => NotZero("stylusDiameterMm", plan.Measuring.StylusDiameterMm),
-        "overtravel.mm" => NotZero("overtravelMm", plan.Measuring.OvertravelMm),
-        "approach.mm" => NotZero("approachMm", plan.Measuring.ApproachMm),
+        "plan" => moves.Plan,
+        "count" => moves.Touches.Count.ToString(CultureInfo.InvariantCulture),
+        "clearance.z" => Mm(moves.ClearanceZ, up: true),
+        "feed.measuring" => NotZero("feedMmPerMin", moves.FeedMmPerMin),
+        "feed.approach" => NotZero("feedMmPerMin", moves.FeedMmPerMin * ApproachSpeed),
+        "stylus.diameter" => NotZero("stylusDiameterMm", moves.StylusDiameterMm),
+        "overtravel.mm" => NotZero("overtravelMm", moves.OvertravelMm),
+        "approach.mm" => NotZero("approachMm", moves.ApproachMm),
         "cut.measurement" => behind?.MeasurementSha256 ?? "",
-        _ when TemplateGrammar.ToolPlaces.Contains(place, StringComparer.Ordinal) => plan.Measuring.Tool!.ValueOf(place, template),
+        "assumed" => _comments.Of(string.Join(", ", moves.Assumed)),
+        _ when TemplateGrammar.ToolPlaces.Contains(place, StringComparer.Ordinal) => moves.Tool!.ValueOf(place, template),
         _ => OfOne(place, point!),
     };
 
-    public bool Holds(string condition, PlanPoint? point, ProbedBehind? behind) => condition switch
+    public bool Holds(string condition, ProbingTouch? point, ProbedBehind? behind) => condition switch
     {
         ProbingTemplate.Merged => behind is not null,
+        ProbingTemplate.Assumed => moves.Assumed.Count > 0,
         ProbingTemplate.Compensated => behind?.MeasurementSha256 is not null,
         TemplateGrammar.Order => !string.IsNullOrWhiteSpace(order),
-        TemplateGrammar.Tool => plan.Measuring.Tool is not null,
-        TemplateGrammar.ToolByName => plan.Measuring.Tool?.Name is not null,
+        ProbingTemplate.Grid => point!.Grid is not null,
+        TemplateGrammar.Tool => moves.Tool is not null,
+        TemplateGrammar.ToolByName => moves.Tool?.Name is not null,
         ProbingTemplate.AlongAxis => AxisOf(point!) is not null,
         _ => AxisOf(point!) == condition[^1],
     };
 
     // The axis of the measuring move, if the other coordinates stay within half an increment.
-    private char? AxisOf(PlanPoint point)
+    private char? AxisOf(ProbingTouch point)
     {
-        var half = 0.5 * Elementary.Pow(10, -dialect.MetricDecimals) / (plan.Measuring.ApproachMm + plan.Measuring.OvertravelMm);
+        var half = 0.5 * Elementary.Pow(10, -dialect.MetricDecimals) / (moves.ApproachMm + moves.OvertravelMm);
         var (x, y, z) = (Math.Abs(point.Normal.X) <= half, Math.Abs(point.Normal.Y) <= half, Math.Abs(point.Normal.Z) <= half);
         return (x, y, z) switch { (false, true, true) => 'x', (true, false, true) => 'y', (true, true, false) => 'z', _ => null };
     }
 
-    private string OfOne(string place, PlanPoint point)
+    private string OfOne(string place, ProbingTouch point)
     {
-        if (place is "point" or "i" or "j")
+        switch (place)
         {
-            return (place == "point" ? point.Number : place == "i" ? point.I : point.J).ToString(CultureInfo.InvariantCulture);
+            case "name":
+                return _comments.Of(point.Name);
+            case "point":
+                return point.Number.ToString(CultureInfo.InvariantCulture);
+            case "i" or "j":
+                return (place == "i" ? point.Grid?.I : point.Grid?.J)?.ToString(CultureInfo.InvariantCulture) ?? "";
         }
 
         var at = place[..^2] switch
         {
-            "approach" => plan.ApproachOf(point),
-            "contact" => plan.ContactOf(point),
-            "center" => plan.CenterOf(point),
-            _ => plan.OvertravelOf(point)
+            "approach" => point.Approach,
+            "contact" => point.Contact,
+            "center" => point.Center,
+            _ => point.Overtravel,
         };
         return Mm(place[^1] switch { 'x' => at.X, 'y' => at.Y, _ => at.Z });
     }

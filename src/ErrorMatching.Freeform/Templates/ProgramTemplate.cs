@@ -73,6 +73,10 @@ public abstract class ProgramTemplate
         return bytes.ToArray();
     }
 
-    private static bool Asks(IEnumerable<TemplateItem> items) => items.Any(i =>
-        (i.Kind == TemplateItemKind.If && i.Text is TemplateGrammar.Tool or TemplateGrammar.ToolByName) || Asks(i.Body) || Asks(i.Else));
+    private static bool Asks(IEnumerable<TemplateItem> items) =>
+        Asks(items, TemplateGrammar.Tool) || Asks(items, TemplateGrammar.ToolByName);
+
+    /// <summary>True if lines depend on a condition.</summary>
+    private protected static bool Asks(IEnumerable<TemplateItem> items, string condition) => items.Any(i =>
+        (i.Kind == TemplateItemKind.If && i.Text == condition) || Asks(i.Body, condition) || Asks(i.Else, condition));
 }

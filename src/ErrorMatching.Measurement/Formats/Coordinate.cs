@@ -10,12 +10,15 @@ internal static class Coordinate
     {
         var number = cell.Number();
         var millimeters = unit == LengthUnit.Inch ? number.InchesInMillimeters : number.Value;
-        return Math.Abs(millimeters) <= LargestMm
-            ? millimeters
-            : throw cell.Fail(
-                MeasurementError.ImplausibleNumber,
-                "a coordinate within a kilometer: has its decimal sign been lost, or is the unit of the format wrong?");
+        return Checked(millimeters, cell);
     }
+
+    /// <summary>A coordinate in millimeters, if it can be one.</summary>
+    public static double Checked(double millimeters, Cell cell) => Math.Abs(millimeters) <= LargestMm
+        ? millimeters
+        : throw cell.Fail(
+            MeasurementError.ImplausibleNumber,
+            "a coordinate within a kilometer: has its decimal sign been lost, or is the unit of the format wrong?");
 
     public static void ThrowIfTooMany(int count, Cell label, int maxPoints)
     {

@@ -23,6 +23,13 @@ internal sealed record MeasuredContent(
     /// <summary>True if the points are contacts whatever the job says of its gauge, because the file has the radius of the ball.</summary>
     public bool IsContact { get; init; }
 
+    /// <summary>The number of the plan that the points were touched by; null if the file names none.</summary>
+    public string? Plan { get; init; }
+
+    /// <summary>Lines of the points that are centers of the ball, in a file that says of each whether it is one; otherwise
+    /// null.</summary>
+    public IReadOnlySet<int>? Centers { get; init; }
+
     /// <summary>Points that lack a coordinate: the first one they lack, and where they are.</summary>
     public IReadOnlyList<(string Label, char Axis, Place Place)> Incomplete { get; init; } = [];
 }

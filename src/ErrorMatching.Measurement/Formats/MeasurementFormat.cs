@@ -20,8 +20,19 @@ public sealed record MeasurementFormat
     {
     }
 
-    /// <summary>One line per point under the header <c>point,x_mm,y_mm[,z_mm]</c>.</summary>
-    public static MeasurementFormat Points { get; } = FormatReader.Embedded("points");
+    /// <summary>One line per point under the header <c>point,x_mm,y_mm[,z_mm]</c>. In a table without these names, <c>x</c>, <c>y</c> and
+    /// <c>z</c> are millimeters, too, as in a plan of where to touch.</summary>
+    public static MeasurementFormat Points { get; } = FormatReader.Embedded("points") is var points && points.Columns is PointColumns own
+        ? points with
+        {
+            Columns = own with
+            {
+                X = ColumnSelector.First("x_mm", "x"),
+                Y = ColumnSelector.First("y_mm", "y"),
+                Z = ColumnSelector.First("z_mm", "z"),
+            },
+        }
+        : points;
 
     /// <summary>One line per coordinate under the header <c>feature,item,nominal,actual,deviation</c>; other columns, such as the
     /// tolerance, are ignored.</summary>

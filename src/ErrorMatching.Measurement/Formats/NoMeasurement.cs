@@ -15,10 +15,6 @@ internal static partial class NoMeasurement
         ((_, head) => IgesStart().IsMatch(head), "an IGES file", FileOf("a surface")),
         (IsMesh, "a mesh of triangles (STL)", "the gauge's points: export them as a table, or as QIF, AQDEF or DMIS"),
         ((_, head) => head is ['{', ..] && head.Contains('"'), "a JSON document, such as a job or a report", FileOf("a job")),
-        (
-            (_, head) => head.StartsWith("ERRORMATCH PROBE", StringComparison.Ordinal),
-            "the log of a probing program, which measures a surface",
-            "the measured points of a part or counterpart: a log belongs to errormatch surface"),
         ((_, head) => Program().IsMatch(head), "an NC program", FileOf("a program")),
         ((_, head) => head.StartsWith("%PDF", StringComparison.Ordinal), "a PDF", Export),
         ((_, head) => Html().IsMatch(head), "an HTML page", Export),

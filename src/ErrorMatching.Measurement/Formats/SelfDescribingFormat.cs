@@ -15,7 +15,7 @@ internal abstract class SelfDescribingFormat
     private static readonly SelfDescribingFormat[] All =
     [
         new QifFormat(), new AqdefFormat(), new DmisFormat(), new CalypsoFormat(), new PcDmisFormat(), new ResultsFileFormat(),
-        new RenishawFormat(), new SiemensFormat(), new GrblFormat(), new ProbeOpenFormat(), new DprntFormat(),
+        new ProbingLogFormat(), new RenishawFormat(), new SiemensFormat(), new GrblFormat(), new ProbeOpenFormat(), new DprntFormat(),
     ];
 
     /// <summary>The format that a file shows; null if it is a table that a job must describe.</summary>

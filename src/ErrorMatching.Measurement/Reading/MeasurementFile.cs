@@ -51,6 +51,15 @@ public sealed class MeasurementFile
     /// gauge.</summary>
     public bool IsContact => _content.IsContact;
 
+    /// <summary>The number of the plan that the points were touched by, as a probing program writes it; null if the file names
+    /// none.</summary>
+    public string? Plan => _content.Plan;
+
+    /// <summary>Whether a point is the center of the stylus ball, in a file that says so of each; null in any other file.</summary>
+    /// <param name="label">Name of the point.</param>
+    /// <exception cref="InputException">The file has no such point (<see cref="MeasurementError.MissingPoint"/>).</exception>
+    public bool? IsCenter(string label) => _content.Centers?.Contains(this[label].Line);
+
     /// <summary>Names and values of what the file says about itself, in the order of the file: the lines above a table, or the fields
     /// about the part in a format that has such (<c>K1001</c>, <c>PARTID</c>, <c>SerialNumber</c>).</summary>
     public IReadOnlyList<HeaderField> HeaderFields => _content.Fields;

@@ -9,6 +9,9 @@ public readonly record struct ColumnSelector
 
     private ColumnSelector(string? name, int position, string? other = null) => (Name, Position, _other) = (name, position, other);
 
+    /// <summary>True if the other name counts only where no column has the first one.</summary>
+    internal bool PrefersName { get; private init; }
+
     /// <summary>Name in the header line, case ignored; null if the column is given by position.</summary>
     public string? Name { get; }
 
@@ -23,6 +26,9 @@ public readonly record struct ColumnSelector
 
     /// <summary>Selects a column that has one of two names.</summary>
     internal static ColumnSelector Either(string name, string other) => new(name, 0, other);
+
+    /// <summary>Selects a column by name; one of another name where there is none.</summary>
+    internal static ColumnSelector First(string name, string other) => new(name, 0, other) { PrefersName = true };
 
     /// <summary>Selects a column by position.</summary>
     /// <param name="position">Position from 1.</param>

@@ -55,7 +55,8 @@ internal sealed class Table
 
     /// <summary>The index of a required column.</summary>
     /// <exception cref="InputException">The column is missing or occurs twice.</exception>
-    public int Find(ColumnSelector column) => column.Name is { } name ? FindNamed(name, column.Names) : FindAt(column.Position - 1);
+    public int Find(ColumnSelector column) => column.Name is not { } name ? FindAt(column.Position - 1)
+        : FindNamed(name, column.PrefersName && IndexesOf([name]).Count > 0 ? [name] : column.Names);
 
     /// <summary>The index of an optional column, or -1.</summary>
     public int FindOptional(ColumnSelector column) => column.Name is not null && IndexesOf(column.Names).Count == 0 ? -1 : Find(column);

@@ -33,7 +33,7 @@ public sealed class ProbingMergeTests
         Assert.Empty(path.Problems);
         Assert.Equal(cut.Motions.Select(m => (m.Kind, m.End)), path.Motions.Take(cut.Motions.Length).Select(m => (m.Kind, m.End)));
         var alone = Programs.Path(probing.Bytes, probing.Dialect).Motions.Count(m => m.Kind == MotionKind.Probe);
-        Assert.InRange(alone, 1, probing.Plan.Points.Count);
+        Assert.InRange(alone, 1, probing.Moves.Touches.Count);
         Assert.Equal(alone, path.Motions.Skip(cut.Motions.Length).Count(m => m.Kind == MotionKind.Probe));
 
         // The last stop comes behind the last touch: it waits for the finishing program.

@@ -30,8 +30,8 @@ public sealed class ProbingProgramTests
         var path = Programs.Path(program.Bytes, program.Dialect);
         var half = (0.5 * Math.Pow(10, -program.Dialect.MetricDecimals)) + 1e-12;
         NcMotion[] probes = [.. path.Motions.Where(m => m.Kind == MotionKind.Probe)];
-        Assert.Equal(program.Plan.Points.Count, probes.Length);
-        foreach (var (point, probe) in program.Plan.Points.Zip(probes))
+        Assert.Equal(program.Moves.Touches.Count, probes.Length);
+        foreach (var (point, probe) in Programs.Plan().Points.Zip(probes))
         {
             // Ball radius 3, stock 0.2, approach and overtravel 2 mm each.
             Near(point.Position + (point.Normal * (3 + 0.2 + 2)), probe.Start, half);
@@ -45,7 +45,7 @@ public sealed class ProbingProgramTests
     public void Travel_across_is_at_clearance_height_and_nothing_but_measuring_goes_below_the_approach(string template)
     {
         var program = Programs.Of(template);
-        var lowest = program.Plan.Points.Min(p => program.Plan.ApproachOf(p).Z) - 0.001;
+        var lowest = program.Moves.Touches.Min(p => p.Approach.Z) - 0.001;
         var path = Programs.Path(program.Bytes, program.Dialect);
         foreach (var motion in path.Motions.Where(m => m.Kind != MotionKind.Probe))
         {
@@ -54,7 +54,7 @@ public sealed class ProbingProgramTests
                 && (motion.Start.X != motion.End.X || motion.Start.Y != motion.End.Y);
             if (motion.Kind == MotionKind.Rapid && across)
             {
-                Assert.True(motion.Start.Z >= program.Plan.ClearanceZ - 1e-9 && motion.End.Z == motion.Start.Z);
+                Assert.True(motion.Start.Z >= program.Moves.ClearanceZ - 1e-9 && motion.End.Z == motion.Start.Z);
             }
         }
 
@@ -73,7 +73,7 @@ public sealed class ProbingProgramTests
             {
                 Assert.Equal(motions[i].Start, motions[i + 1].End);
                 Assert.Equal(motions[i].Start with { Z = motions[i + 2].End.Z }, motions[i + 2].End);
-                Assert.True(motions[i + 2].End.Z >= program.Plan.ClearanceZ - 1e-9);
+                Assert.True(motions[i + 2].End.Z >= program.Moves.ClearanceZ - 1e-9);
             }
         }
     }
@@ -166,7 +166,7 @@ public sealed class ProbingProgramTests
         var lines = TextOf(program).Split('\n');
         Assert.Equal(20, lines.Count(l => l.StartsWith("G31 X", StringComparison.Ordinal)));
         Assert.Equal(20, lines.Count(l => l.StartsWith("DPRNT[P", StringComparison.Ordinal)));
-        Assert.Contains($"DPRNT[ERRORMATCH*PROBE*PLAN*{ProbingProgram.PlanId(program.Plan)}*MM]", lines);
+        Assert.Contains($"DPRNT[ERRORMATCH*PROBE*PLAN*{program.Moves.Plan}*MM]", lines);
     }
 
     private static string TextOf(ProbingProgram program) => Encoding.UTF8.GetString(program.Bytes.Span);

@@ -18,7 +18,7 @@ public sealed class ProbingProgramTests
         var program = Program();
         var peer = Rs274.Run(Numbered(program.Bytes));
         Assert.Null(peer.Refusal);
-        Assert.Equal(program.Plan.Points.Count, peer.Motions.Count(m => m.Kind == MotionKind.Probe));
+        Assert.Equal(program.Moves.Touches.Count, peer.Motions.Count(m => m.Kind == MotionKind.Probe));
         Assert.Null(Agreement.FirstDifference(
             peer.Motions, NcInterpreter.Run(NcProgram.Read(program.Bytes, NcSyntax.LinuxCnc), NcDialects.LinuxCnc), mostUnknown: 0.5));
     }
@@ -32,7 +32,7 @@ public sealed class ProbingProgramTests
             "G21 G90 G17 G54\nM3 S10000\nG0 X0 Y0 Z30\nG1 Z10 F1200\nX75\nG0 Z30\nM5\nM2\n"u8.ToArray(), "semi.ngc");
         var peer = Rs274.Run(Numbered(merged));
         Assert.Null(peer.Refusal);
-        Assert.Equal(program.Plan.Points.Count, peer.Motions.Count(m => m.Kind == MotionKind.Probe));
+        Assert.Equal(program.Moves.Touches.Count, peer.Motions.Count(m => m.Kind == MotionKind.Probe));
     }
 
     [Fact]
@@ -46,14 +46,14 @@ public sealed class ProbingProgramTests
 
         // Nothing trips the simulated probe: it stops where the measuring move ends, which the reader lets pass only where it is told that
         // the surface may be so far off.
-        var far = program.Plan.Measuring with { ApproachMm = 5, OvertravelMm = 5 };
-        var measured = MeasuredSurfaceReader.Read(log, "errormatch-probe.log", program.Plan, far);
+        var plan = Plan();
+        var far = plan.Measuring with { ApproachMm = 5, OvertravelMm = 5 };
+        var measured = MeasuredSurfaceReader.Read(log, "errormatch-probe.log", plan, far);
         Assert.Empty(measured.Warnings);
         Assert.All(measured.Points, p => Assert.True((p.Contact - (p.Planned.Position + (p.Planned.Normal * (0.2 - 2)))).Length < 1e-3));
         Assert.Equal(
             "far-off-point",
-            Assert.Throws<InputException>(() => MeasuredSurfaceReader.Read(
-                log, "errormatch-probe.log", program.Plan, program.Plan.Measuring)).Code);
+            Assert.Throws<InputException>(() => MeasuredSurfaceReader.Read(log, "errormatch-probe.log", plan, plan.Measuring)).Code);
     }
 
     // Our templates put a word before the name. This one does not.
@@ -82,8 +82,11 @@ public sealed class ProbingProgramTests
         Assert.Equal(executed is null ? 31 : 0, run.Motions.Count);
     }
 
+    private static ProbingProgram Program(string name = "saddle", ProbingTemplate? template = null) =>
+        ProbingProgram.Of(Plan(), name, NcDialects.LinuxCnc, template ?? ProbingTemplate.Named("linuxcnc"), order: name);
+
     // A saddle, so that normals lean in all directions: z = (x/75 - 1/2)(y/63 - 1/2) 20, bilinear.
-    private static ProbingProgram Program(string name = "saddle", ProbingTemplate? template = null)
+    private static MeasuringPlan Plan()
     {
         var knots = KnotVector.Clamped(1, [0, 1]);
         var surface = new PartSurface(
@@ -106,12 +109,7 @@ public sealed class ProbingProgramTests
             UncertaintyMm = 0.000125,
             BestFit = false,
         };
-        return ProbingProgram.Of(
-            MeasuringPlanner.Plan(surface, measuring, 0.2),
-            name,
-            NcDialects.LinuxCnc,
-            template ?? ProbingTemplate.Named("linuxcnc"),
-            order: name);
+        return MeasuringPlanner.Plan(surface, measuring, 0.2);
     }
 
     // Line numbers, so that the peer says which block a motion is of.

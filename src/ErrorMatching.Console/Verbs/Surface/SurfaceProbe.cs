@@ -40,7 +40,7 @@ internal sealed class SurfaceProbe : Verb
         var probing = ProbingProgram.Of(plan, files.Job.Name, dialect, files.Template(dialect), files.Job.WorkOrder);
         var after = arguments.GetValue(_after);
         var program = after is null ? probing.Bytes : probing.MergeAfter(files.Program(new(after)), after, files.Job.Toolpath.Dialect);
-        var answer = new SurfaceProbeAnswer(files.Job, probing, after, arguments.GetValue(_out));
+        var answer = new SurfaceProbeAnswer(files.Job, plan, probing, after, arguments.GetValue(_out));
         OutputFile.WriteAll(answer.Files(program), files.Read, cancellation);
         return answer;
     }

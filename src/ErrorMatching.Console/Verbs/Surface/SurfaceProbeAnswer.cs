@@ -8,10 +8,12 @@ namespace ErrorMatching.Console;
 
 /// <summary>A probing program.</summary>
 /// <param name="job">The job.</param>
+/// <param name="plan">Its plan.</param>
 /// <param name="probing">The program.</param>
 /// <param name="after">The program that it is appended to; null if it is separate.</param>
 /// <param name="folder">The folder that it was written to; null if nothing was written.</param>
-internal sealed class SurfaceProbeAnswer(FreeformJob job, ProbingProgram probing, string? after, string? folder) : DocumentAnswer
+internal sealed class SurfaceProbeAnswer(
+    FreeformJob job, MeasuringPlan plan, ProbingProgram probing, string? after, string? folder) : DocumentAnswer
 {
     private const string FileName = "probe.nc";
 
@@ -22,14 +24,14 @@ internal sealed class SurfaceProbeAnswer(FreeformJob job, ProbingProgram probing
     public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files(ReadOnlyMemory<byte> program) =>
         folder is null
             ? []
-            : [(PathText.In(folder, SurfacePlanAnswer.FileName), PlanCsv.Write(probing.Plan)), (PathText.In(folder, FileName), program)];
+            : [(PathText.In(folder, SurfacePlanAnswer.FileName), PlanCsv.Write(plan)), (PathText.In(folder, FileName), program)];
 
     public override void WriteJson(Utf8JsonWriter json)
     {
-        SurfacePlanAnswer.WriteSummary(json, job, probing.Plan);
+        SurfacePlanAnswer.WriteSummary(json, job, plan);
         json.WriteString("dialect", probing.Dialect.Name);
         json.WriteString("template", probing.Template.File);
-        json.WriteString("plan", ProbingProgram.PlanId(probing.Plan));
+        json.WriteString("plan", probing.Moves.Plan);
         json.WriteString("after", after);
         json.WriteStartArray("files");
         foreach (var (path, _) in Files(default))
@@ -45,10 +47,10 @@ internal sealed class SurfaceProbeAnswer(FreeformJob job, ProbingProgram probing
         page.Heading(string.Create(
             CultureInfo.InvariantCulture,
             $"{job.Name}: "
-                + $"{ReportNumber.Count(probing.Plan.Points.Count, "point is", "points are")} touched "
+                + $"{ReportNumber.Count(plan.Points.Count, "point is", "points are")} touched "
                 + $"by a program for {probing.Dialect.Name}"));
         page.Line();
-        SurfacePlanAnswer.WriteSummary(page, probing.Plan);
+        SurfacePlanAnswer.WriteSummary(page, plan);
         page.Line($"Template {probing.Template.File}: {probing.Template.About}");
         page.Line(string.Create(
             CultureInfo.InvariantCulture,
