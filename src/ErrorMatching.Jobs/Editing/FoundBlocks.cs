@@ -55,7 +55,7 @@ public sealed record FoundBlocks(
 
         var text = Encoding.UTF8.GetBytes(Encoding.UTF8.GetString(JobBytes.Span).TrimStart('\uFEFF').ReplaceLineEndings("\n"));
         var root = JsonInput.Read(text, Job.File);
-        return JsonEdit.Apply(text, [.. Paths(root, target), .. root["features"].Items.SelectMany((f, i) => Blocks(f, i))]);
+        return JsonEdit.Apply(text, [.. MovedPaths.Of(Job, root, target), .. root["features"].Items.SelectMany((f, i) => Blocks(f, i))]);
     }
 
     private HashSet<int> Cutting(IEnumerable<int> blocks) =>
@@ -70,20 +70,5 @@ public sealed record FoundBlocks(
                 ? new(blocks.Bytes, list)
                 : new(item["points"].Bytes.End..item["points"].Bytes.End, ", \"blocks\": " + list);
         }
-    }
-
-    private IEnumerable<JsonEdit> Paths(JsonItem root, string target)
-    {
-        var (part, counterpart) = (root["part"], root["counterpart"]);
-        var from = System.IO.Path.GetDirectoryName(System.IO.Path.GetFullPath(target))!;
-        return from == System.IO.Path.GetDirectoryName(System.IO.Path.GetFullPath(Job.File)) ? [] : new[]
-        {
-            part["theoretical"], part["measured"], counterpart["program"], counterpart.Find("measured"),
-            NcDialects.IsFile(Job.Counterpart.Dialect) ? counterpart["dialect"] : null,
-        }.OfType<JsonItem>()
-            .Where(p => !System.IO.Path.IsPathRooted(p.Text))
-            .Select(p => new JsonEdit(
-                p.Bytes,
-                JsonEdit.Text(System.IO.Path.GetRelativePath(from, System.IO.Path.GetFullPath(Job.PathOf(p.Text))).Replace('\\', '/'))));
     }
 }

@@ -166,9 +166,23 @@ public sealed class JobFiles
 
     // Labels of the job for a file that has other ones, or none.
     private MeasurementFile WithLabels(MeasurementFile measurement) =>
-        measurement.IsByOrder ? measurement.InOrderOf(Order(measurement.Points.Count))
+        measurement.Plan is { } plan ? measurement.InOrderOf(OrderOf(plan, measurement))
+        : measurement.IsByOrder ? measurement.InOrderOf(Order(measurement.Points.Count))
         : Job.Gauge.Labels is { } rule ? measurement.Renamed(rule, Job.NeededPoints)
         : measurement;
+
+    // The log of a probing program says for which points it was made.
+    private IReadOnlyList<string> OrderOf(string plan, MeasurementFile measurement)
+    {
+        var theoretical = _theoretical ?? Theoretical();
+        return TouchOrder.PlanOf(Job, theoretical) is var expected && plan == expected ? TouchOrder.Labels(Job, theoretical)
+            : throw new InputException(Refusal.Of(
+                "other-plan",
+                $"a log of the plan {PrintedText.OneLine(plan)}",
+                $"one of the plan {expected}, which is that of this job: its points, or their order, were others when the probing program "
+                    + "was made",
+                new() { File = measurement.File, Line = 1, Column = 1 }));
+    }
 
     // The theoretical file may have more points than the job needs. The number of points tells whether all of them were measured.
     private IReadOnlyList<string> Order(int count)

@@ -18,6 +18,9 @@ public sealed record AlignedMeasurement(
     /// <summary>Code of the refusal of an alignment across features in several planes.</summary>
     public const string AlignmentNeedsOnePlane = "alignment-needs-one-plane";
 
+    /// <summary>Code of the refusal of centers of a ball whose diameter the job does not state.</summary>
+    public const string StylusMissing = "stylus-missing";
+
     /// <summary>Distance from the plane above which a point is reported, mm.</summary>
     private const double Flat = 0.001;
 
@@ -47,8 +50,6 @@ public sealed record AlignedMeasurement(
         var labels = new List<string>();
         var (actual, nominal, toContact) = (new List<Point2>(), new List<Point2>(), new List<Vector2>());
 
-        // A file that states the radius of its ball was read as contacts.
-        var radius = job.Gauge.Reports == ProbeReport.StylusCenter && !measured.IsContact ? job.Gauge.StylusDiameterMm!.Value / 2 : 0;
         var standsOut = new List<(string, double)>();
         foreach (var map in maps)
         {
@@ -64,7 +65,8 @@ public sealed record AlignedMeasurement(
                 }
 
                 labels.Add(label);
-                toContact.Add(StylusCenter.ToContact(want.Position, radius, map.Normals[i], piece) - want.Position);
+                toContact.Add(
+                    StylusCenter.ToContact(want.Position, RadiusMm(job, measured, label), map.Normals[i], piece) - want.Position);
                 nominal.Add(want.Position - toContact[^1]);
                 actual.Add(have.Position);
             }
@@ -80,6 +82,22 @@ public sealed record AlignedMeasurement(
         }
 
         return new(measured, alignment, points, standsOut);
+    }
+
+    // A file that states the radius of its ball was read as contacts. A probing log says of each point what it is, whatever the job says.
+    private static double RadiusMm(MatingJob job, MeasurementFile measured, string label)
+    {
+        if (!(measured.IsCenter(label) ?? (job.Gauge.Reports == ProbeReport.StylusCenter && !measured.IsContact)))
+        {
+            return 0;
+        }
+
+        return job.Gauge.StylusDiameterMm / 2 ?? throw InputException.At(
+            StylusMissing,
+            measured.File,
+            "it has the centers of the stylus ball, and the job does not say how large the ball is; expected \"stylusDiameterMm\" under "
+                + "\"gauge\": the diameter of the ball that touched, in mm.",
+            measured[label].Line);
     }
 
     private static Alignment Align(

@@ -29,6 +29,9 @@ public abstract record JobFeature(string Name, IReadOnlyList<string> Blocks, Job
     /// <summary>The labels of all its key points in the order of cutting, ranges expanded.</summary>
     public abstract IReadOnlyList<string> Points { get; }
 
+    /// <summary>The labels list by list, as a job writes them (<see cref="FeatureKind.LeastPoints"/>).</summary>
+    public virtual IReadOnlyList<IReadOnlyList<string>> PointLists => [Points];
+
     /// <summary>Quantities that a verification compares, and how to compute them from its points in the order of
     /// <see cref="Points"/>.</summary>
     internal abstract IReadOnlyList<(VerifiedQuantity Quantity, Func<IReadOnlyList<Point2>, double> Of)> Compared { get; }

@@ -27,14 +27,14 @@ public sealed partial class FolderTests
         ["Mating"] =
         [
             "", "Tolerances", "Measuring", "Cutting", "Displacing", "Features", "Job", "Mapping", "Aligning", "Lots", "Deciding",
-            "Estimating", "Trusting", "Choosing", "Pairing", "Matching", "Verifying", "Reporting",
+            "Estimating", "Trusting", "Choosing", "Pairing", "Matching", "Planning", "Verifying", "Reporting",
         ],
         ["Freeform"] =
         [
             "", "Surfaces", "Fields", "Fitting", "Exchange", "Job", "Planning", "Templates", "Probing", "ToolPaths",
             "Judging", "Evaluating", "Lots", "Compensating", "Displacing", "Reporting",
         ],
-        ["Jobs"] = ["Errors", "Reading", "Writing", "Running", "Editing", "Outlines"],
+        ["Jobs"] = ["Errors", "Reading", "Writing", "Running", "Editing", "Outlines", "Planning"],
         ["Cell"] =
         [
             "Disk", "Rights", "States", "Reading", "Activity", "Transport", "Events", "Configuration", "Machines", "Trail", "Contents",

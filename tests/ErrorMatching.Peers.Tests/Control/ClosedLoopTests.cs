@@ -3,6 +3,7 @@ using System.Text;
 using System.Text.Json;
 using ErrorMatching.Cell;
 using ErrorMatching.Cell.Tests;
+using ErrorMatching.Jobs;
 
 namespace ErrorMatching.Peers.Tests;
 
@@ -28,7 +29,7 @@ public sealed class ClosedLoopTests(LinuxCncControl control) : IClassFixture<Lin
         await using var cell = await StartAsync();
 
         // Probe the part. Its log appears at once when all points are touched.
-        await File.WriteAllTextAsync(Path.Combine(control.Nc, "PROBE.NGC"), ProbingProgram(cell.PathOf("job/theoretical.csv")), Token);
+        await File.WriteAllTextAsync(Path.Combine(control.Nc, "PROBE.NGC"), ProbingProgram(cell.PathOf("job/job.json")), Token);
         await control.OpenAsync("PROBE.NGC");
         await control.RunAsync();
         await control.UntilStatusAsync("IDLE");
@@ -114,43 +115,58 @@ public sealed class ClosedLoopTests(LinuxCncControl control) : IClassFixture<Lin
         static double Number(string text) => double.Parse(text, CultureInfo.InvariantCulture);
     }
 
-    // Each point is touched fast, left slowly, and touched again slowly from a few hundredths of a millimeter.
-    private string ProbingProgram(string theoretical)
+    // The program of "job probe", by a template of the shop: each point is touched fast, left slowly, and touched again slowly from a few
+    // hundredths of a millimeter. The log appears at once.
+    private string ProbingProgram(string job)
     {
-        var program = new StringBuilder("(PROBE THE SLOT)\nG21 G17 G40 G49 G90 G54\nT2 M6\nG0 Z5.\n");
-        var touched = 0;
-        foreach (var (x, y, nx, ny) in Points(theoretical))
-        {
-            var (cx, cy) = (x - (Ball / 2 * nx), y - (Ball / 2 * ny));
-            program.Append(CultureInfo.InvariantCulture, $"""
-                G0 X{cx - nx:0.0000} Y{cy - ny:0.0000}
-                Z-5.
-                G38.2 X{cx + (0.8 * nx):0.0000} Y{cy + (0.8 * ny):0.0000} F300.
-                G38.4 X{cx - nx:0.0000} Y{cy - ny:0.0000} F60.
-                G38.2 X{cx + (0.8 * nx):0.0000} Y{cy + (0.8 * ny):0.0000} F6.
-                #{100 + (2 * touched)}=#5061
-                #{101 + (2 * touched)}=#5062
-                G0 X{cx - nx:0.0000} Y{cy - ny:0.0000}
-                Z5.
+        var template = Path.Combine(Path.GetDirectoryName(job)!, "twice.probing");
+        File.WriteAllText(template, $$"""
+            @about LinuxCNC, touches twice
+            @body
+            (probe {job})
+            G21 G17 G40 G49 G90 G94 G54
+            @if tool
+            T{tool.number} M6
+            @endif
+            G0 Z{clearance.z}
+            @each point
+            (point {point}: {name})
+            G0 X{approach.x} Y{approach.y}
+            Z{approach.z}
+            G38.2 X{overtravel.x} Y{overtravel.y} F300
+            G38.4 X{approach.x} Y{approach.y} F60
+            G38.2 X{overtravel.x} Y{overtravel.y} F6
+            #10{point}=#5061
+            #11{point}=#5062
+            G0 X{approach.x} Y{approach.y}
+            Z{clearance.z}
+            @next
+            (LOGOPEN,{{Path.Combine(control.Nc, Log)}})
+            (LOG,ERRORMATCH PROBE PLAN {plan} MM)
+            @each point
+            (LOG,P{point} C X#10{point} Y#11{point} Z{approach.z})
+            @next
+            (LOG,END)
+            (LOGCLOSE)
+            M2
 
-                """);
-            touched++;
-        }
-
-        program.Append(CultureInfo.InvariantCulture, $"(LOGOPEN,{Path.Combine(control.Nc, Log)})\n(LOG,point,x_mm,y_mm)\n");
-        for (var i = 0; i < touched; i++)
-            program.Append(CultureInfo.InvariantCulture, $"(LOG,{i + 1},#{100 + (2 * i)},#{101 + (2 * i)})\n");
-        return program.Append("(LOGCLOSE)\nM2\n").ToString();
+            """);
+        var probed = ProbedJob.Of(
+            job,
+            new()
+            {
+                TouchZ = -5,
+                ClearanceZ = 5,
+                ApproachMm = 1,
+                OvertravelMm = 0.8,
+                ToolNumber = 2,
+                Template = template,
+            },
+            Token);
+        Assert.True(probed.IsUsable, probed.Refusal?.ToString());
+        Assert.Empty(probed.Result!.Program.Moves.Assumed);
+        return Encoding.ASCII.GetString(probed.Result.Program.Bytes.Span);
     }
-
-    private static IEnumerable<(double X, double Y, double Nx, double Ny)> Points(string theoretical) =>
-        File.ReadLines(theoretical).Skip(1).Select(l => l.Split(',')).Select(c =>
-        {
-            var (x, y) = (double.Parse(c[1], CultureInfo.InvariantCulture), double.Parse(c[2], CultureInfo.InvariantCulture));
-            var dx = Math.Abs(x) > 20 ? x - Math.CopySign(20, x) : 0;
-            var length = Math.Sqrt((dx * dx) + (y * y));
-            return (x, y, dx / length, y / length);
-        });
 
     private async Task<ConfiguredCell> StartAsync()
     {

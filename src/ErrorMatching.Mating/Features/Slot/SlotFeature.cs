@@ -33,6 +33,9 @@ internal sealed record SlotFeature(
     /// <inheritdoc/>
     public override IReadOnlyList<string> Points => [.. Lists.SelectMany(l => l)];
 
+    /// <inheritdoc/>
+    public override IReadOnlyList<IReadOnlyList<string>> PointLists => Lists;
+
     internal override IReadOnlyList<(VerifiedQuantity Quantity, Func<IReadOnlyList<Point2>, double> Of)> Compared =>
         [(SlotKind.ComparedWidth, points => Fit(points, 0).WidthMm), (VerifiedQuantity.Length, points => Fit(points, 0).LengthMm)];
 

@@ -25,6 +25,9 @@ internal sealed record TriangleFeature(
     /// <inheritdoc/>
     public override IReadOnlyList<string> Points => [.. FirstFlank, .. SecondFlank];
 
+    /// <inheritdoc/>
+    public override IReadOnlyList<IReadOnlyList<string>> PointLists => [FirstFlank, SecondFlank];
+
     internal override IReadOnlyList<(VerifiedQuantity Quantity, Func<IReadOnlyList<Point2>, double> Of)> Compared =>
         [(VerifiedQuantity.Angle, points => Fit(points, 0).IncludedAngle.Degrees)];
 

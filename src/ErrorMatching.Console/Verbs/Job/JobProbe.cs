@@ -1,0 +1,96 @@
+using System.CommandLine;
+using ErrorMatching.Jobs;
+using ErrorMatching.Json;
+
+namespace ErrorMatching.Console;
+
+/// <summary><c>errormatch job probe</c>.</summary>
+internal sealed class JobProbe : Verb
+{
+    private readonly Argument<string> _job = new("JOB") { Description = "A mating job, such as one of errormatch job plan." };
+    private readonly Option<string> _out = FileOption(
+        "--out", "The folder to write probe.nc to (or with the ending of the job's program). Without it nothing is written.");
+
+    private readonly Option<double?> _stylus = ProbeOptions.Stylus();
+    private readonly Option<double?> _z = ProbeOptions.Height(
+        "--z", "Height at which the center of the ball touches. Without it: half as deep as the program cuts, which is told.");
+
+    private readonly Option<double?> _clearance = ProbeOptions.Height(
+        "--clearance", "Height at which the ball travels between points. Without it: the highest move of the program, which is told.");
+
+    private readonly Option<double?> _approach = ProbeOptions.Positive(
+        "--approach", "Distance from the part at which a measuring move starts. Without it: 2 mm, less where there is no room.", "MM");
+
+    private readonly Option<double?> _overtravel = ProbeOptions.Positive(
+        "--overtravel",
+        "How far a measuring move goes on behind the part as designed. Without it: 1 mm more than compensation.limitMm.",
+        "MM");
+
+    private readonly Option<double?> _feed = ProbeOptions.Positive("--feed", "Feed of the measuring move. Without it: 100.", "MM/MIN");
+    private readonly Option<int?> _tool = new("--tool")
+    {
+        Description = "Number of the probe as a tool, and of its length offset. Without it the program stops for the probe.",
+        HelpName = "NUMBER",
+    };
+
+    private readonly Option<string> _dialect = new("--dialect")
+    {
+        Description = "The control that measures. Without it: that of the job's program.",
+        HelpName = "DIALECT",
+    };
+
+    private readonly Option<string> _template = FileOption(
+        "--template", "A built-in template (such as fanuc-p98xx), or a file of your own. Without it: that of the dialect.");
+
+    public JobProbe()
+        : base(
+            "probe",
+            "Writes the program that touches the key points of the part on the machine.",
+            "errormatch job probe samples/dovetail/job.json --stylus-diameter 3 --out out")
+    {
+        Arguments.Add(_job);
+        foreach (var option in new Option[] { _out, _stylus, _z, _clearance, _approach, _overtravel, _feed, _tool, _dialect, _template })
+        {
+            Options.Add(option);
+        }
+
+        _tool.Validators.Add(result =>
+        {
+            if (result.GetValueOrDefault<int?>() is { } number && number is < 1 or > 99_999)
+            {
+                result.AddError(FormattableString.Invariant($"--tool is {number}; expected a number from 1 to 99999."));
+            }
+        });
+    }
+
+    public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
+    {
+        var outcome = ProbedJob.Of(
+            arguments.GetRequiredValue(_job),
+            new()
+            {
+                StylusDiameterMm = arguments.GetValue(_stylus),
+                TouchZ = arguments.GetValue(_z),
+                ClearanceZ = arguments.GetValue(_clearance),
+                ApproachMm = arguments.GetValue(_approach),
+                OvertravelMm = arguments.GetValue(_overtravel),
+                FeedMmPerMin = arguments.GetValue(_feed),
+                ToolNumber = arguments.GetValue(_tool),
+                Dialect = arguments.GetValue(_dialect),
+                Template = arguments.GetValue(_template),
+            },
+            cancellation);
+        if (outcome.Result is not { } probed)
+        {
+            return new Failure(ExitCode.Refused, outcome.Refusals);
+        }
+
+        var written = arguments.GetValue(_out) is { } folder ? PathText.In(folder, probed.FileName) : null;
+        if (written is not null)
+        {
+            OutputFile.Write(written, probed.Program.Bytes, probed.Read, cancellation);
+        }
+
+        return new JobProbeAnswer(probed, written);
+    }
+}

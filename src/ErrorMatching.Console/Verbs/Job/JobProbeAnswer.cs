@@ -1,0 +1,84 @@
+using System.Globalization;
+using System.Text.Json;
+using ErrorMatching.Jobs;
+using ErrorMatching.Reporting;
+
+namespace ErrorMatching.Console;
+
+/// <summary>The program that touches the key points of a part.</summary>
+/// <param name="probed">The program.</param>
+/// <param name="written">The file that was written; null if none was.</param>
+internal sealed class JobProbeAnswer(ProbedJob probed, string? written) : DocumentAnswer
+{
+    public override string Schema => "errormatch/job-probe/1";
+
+    public override void WriteJson(Utf8JsonWriter json)
+    {
+        var moves = probed.Program.Moves;
+        json.WriteString("job", probed.Job.File);
+        json.WriteString("dialect", probed.Program.Dialect.Name);
+        json.WriteString("template", probed.Program.Template.File);
+        json.WriteString("plan", moves.Plan);
+        json.WriteNumber("count", probed.Points.Count);
+        json.WriteNumber("stylusDiameterMm", moves.StylusDiameterMm);
+        json.WriteNumber("touchZ", probed.TouchZ);
+        json.WriteNumber("clearanceZ", moves.ClearanceZ);
+        json.WriteNumber("overtravelMm", moves.OvertravelMm);
+        json.WriteNumber("feedMmPerMin", moves.FeedMmPerMin);
+        Texts("assumed", moves.Assumed);
+        Texts("notes", probed.Notes);
+        json.WriteStartArray("points");
+        foreach (var (touch, point) in moves.Touches.Zip(probed.Points))
+        {
+            json.WriteStartObject();
+            json.WriteNumber("number", touch.Number);
+            json.WriteString("point", point.Label);
+            json.WriteNumber("approachMm", point.ApproachMm);
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+        Texts("files", written is null ? [] : [written]);
+
+        void Texts(string name, IReadOnlyList<string> texts)
+        {
+            json.WriteStartArray(name);
+            foreach (var text in texts)
+            {
+                json.WriteStringValue(text);
+            }
+
+            json.WriteEndArray();
+        }
+    }
+
+    public override void WriteText(Page page)
+    {
+        var moves = probed.Program.Moves;
+        page.Heading($"{probed.Job.Name}: {ReportNumber.Count(probed.Points.Count, "point is", "points are")} touched by a program for "
+            + probed.Program.Dialect.Name);
+        page.Line();
+        page.Line(string.Create(
+            CultureInfo.InvariantCulture,
+            $"The center of a ball of {moves.StylusDiameterMm:0.###} mm moves at Z{probed.TouchZ:0.###}, from outside of the part along "
+                + $"its normal, and travels at Z{moves.ClearanceZ:0.###}. A miss of {moves.OvertravelMm:0.###} mm stops the control."));
+        page.Line("X and Y are those of the part as designed: set its work offset (G54) there, and the length of the probe to the center "
+            + "of its ball. The shank must not be thicker than the ball.");
+        page.Line($"Template {probed.Program.Template.File}: {probed.Program.Template.About}");
+        if (moves.Assumed.Count > 0)
+        {
+            page.Line($"Nobody stated {string.Join(", ", moves.Assumed)}: the program stops before its first move for somebody to check. "
+                + "Options state it, see --help.");
+        }
+
+        foreach (var note in probed.Notes)
+        {
+            page.Line($"Note: {note}");
+        }
+
+        page.Line("No machine of ours has run it: make the first run with reduced feed, a hand on the stop.");
+        page.Line(written is null
+            ? $"Nothing was written. Add --out DIR to write {probed.FileName}."
+            : $"Wrote {written}. Next: run it, fetch its log, then: errormatch match {probed.Job.File} --part LOG --out DIR");
+    }
+}

@@ -1,0 +1,253 @@
+using System.Globalization;
+using ErrorMatching.Freeform;
+using ErrorMatching.Geometry;
+using ErrorMatching.Mating;
+using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
+
+namespace ErrorMatching.Jobs;
+
+/// <summary>The program that touches the key points of a mating job on the part: <c>errormatch job probe</c>.</summary>
+public sealed record ProbedJob
+{
+    /// <summary>Code of the refusal of a point that aligns the part and is no key point: where to touch it from is not known.</summary>
+    public const string DatumNotProbed = "datum-not-probed";
+
+    /// <summary>Code of the refusal of a height that nobody stated and the program does not tell.</summary>
+    public const string HeightMissing = "height-missing";
+
+    // Without a word from the caller: a slow measuring move, and travel where the program travels, but not close to the piece.
+    private const double FeedMmPerMin = 100;
+    private const double LeastClearanceMm = 5;
+
+    // Shorter approaches leave no room for a part that deviates, mm.
+    private const double ShortApproachMm = 1;
+
+    // How far a measuring move goes on behind where the part can still be.
+    private const double BehindMm = 1;
+
+    private ProbedJob()
+    {
+    }
+
+    /// <summary>The job.</summary>
+    public required MatingJob Job { get; init; }
+
+    /// <summary>The program.</summary>
+    public required ProbingProgram Program { get; init; }
+
+    /// <summary>The points in the order of touching, with their numbers in the log from 1.</summary>
+    public required IReadOnlyList<PlannedPoint> Points { get; init; }
+
+    /// <summary>Height at which the ball's center touches, mm, in the work offset of the program.</summary>
+    public required double TouchZ { get; init; }
+
+    /// <summary>What to look at before the first run, in sentences.</summary>
+    public required IReadOnlyList<string> Notes { get; init; }
+
+    /// <summary>Name of the program's file: the ending is that of the counterpart's program.</summary>
+    public string FileName => "probe" + (Path.GetExtension(Job.Counterpart.Program) is { Length: > 1 } extension ? extension : ".nc");
+
+    /// <summary>The files that were read.</summary>
+    public required IReadOnlyList<string> Read { get; init; }
+
+    /// <summary>Makes the program.</summary>
+    /// <param name="file">The job.</param>
+    /// <param name="wish">What the caller states.</param>
+    /// <param name="cancellation">Cancels between steps.</param>
+    /// <returns>The program, or why there is none.</returns>
+    /// <exception cref="InputException">A file cannot be opened or used. No template is there for the dialect.</exception>
+    /// <exception cref="OperationCanceledException">Canceled.</exception>
+    public static Outcome<ProbedJob> Of(string file, ProbeWish wish, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(wish);
+        var files = new JobFiles(file);
+        var job = files.Job;
+        var theoretical = files.Theoretical();
+        var (program, text) = files.Program(null);
+        var own = files.OwnDialect();
+        var called = files.Called();
+        var path = NcInterpreter.Run(NcProgram.Read(text), job.Counterpart.DialectOf(own), called.Find, cancellation);
+        files.Add(called.Opened);
+        var (assumed, notes) = (new List<string>(), new List<string>());
+        var diameter = wish.StylusDiameterMm ?? job.Gauge.StylusDiameterMm ?? Assumed(PlannedJob.AssumedStylusMm, "ball");
+        var planned = TouchPlanner.Own(job, path, theoretical, diameter, wish.ApproachMm ?? TouchPlanner.ApproachMm);
+        if (planned.Result is not { } plan)
+        {
+            return Outcome.Refused<ProbedJob>(InputRefusals.Of(planned.Refusals, job.File, program));
+        }
+
+        var byLabel = plan.Points.ToDictionary(p => p.Label, StringComparer.Ordinal);
+        var order = TouchOrder.Labels(job, theoretical);
+        if (order.FirstOrDefault(l => !byLabel.ContainsKey(l)) is { } datum)
+        {
+            return new Refusal(
+                DatumNotProbed,
+                $"The point {datum} aligns the part and belongs to no feature, so that it is not known from which side to touch it. Set "
+                    + "the work offset of the part in the control, and take \"alignment\" and \"originCheck\" out of the job.").In(job.File);
+        }
+
+        if ((wish.TouchZ ?? HalfDepth(path)) is not { } z)
+        {
+            return new Refusal(
+                HeightMissing,
+                $"{program} does not say how deep it cuts below Z0, so that a height to touch at cannot be taken from it. Give --z.");
+        }
+
+        z = wish.TouchZ ?? Assumed(z, "touch at Z");
+        var clearance = wish.ClearanceZ ?? Assumed(Math.Max(LeastClearanceMm, Highest(path)), "travel at Z");
+        if (clearance <= z)
+        {
+            return new Refusal(
+                "clearance-too-low",
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"The ball would travel at Z{clearance:0.###}, not above Z{z:0.###} where it touches. Give a higher --clearance."));
+        }
+
+        var (dialect, template) = Template(wish, job, own, files, assumed);
+        PlannedPoint[] points = [.. order.Select(l => byLabel[l])];
+        var overtravel = wish.OvertravelMm ?? job.Compensation.LimitMm + BehindMm;
+        if (points.Where(p => p.ApproachMm < ShortApproachMm).Select(p => p.Label).ToArray() is { Length: > 0 } near)
+        {
+            notes.Add(string.Create(
+                CultureInfo.InvariantCulture,
+                $"There is little room at {string.Join(", ", near)}: the measuring move starts {points.Min(p => p.ApproachMm):0.##} mm ")
+                + "from the part as designed. A part that stands out further is touched on the way down.");
+        }
+
+        if (diameter > 0 && wish.StylusDiameterMm is null && job.Gauge.StylusDiameterMm is null)
+        {
+            notes.Add("Write \"stylusDiameterMm\" under \"gauge\" before the match: the log has the centers of the ball.");
+        }
+
+        var moves = new ProbingMoves
+        {
+            Plan = TouchOrder.PlanOf(job, theoretical),
+            Touches = [.. points.Select((p, i) => TouchOf(i + 1, p, z, diameter / 2, overtravel))],
+            ClearanceZ = clearance,
+            StylusDiameterMm = diameter,
+            ApproachMm = points.Max(p => p.ApproachMm),
+            OvertravelMm = overtravel,
+            FeedMmPerMin = wish.FeedMmPerMin ?? FeedMmPerMin,
+            Tool = wish.ToolNumber is { } tool ? new ToolCall(tool, null, tool) : null,
+            Assumed = assumed,
+        };
+        return new ProbedJob
+        {
+            Job = job,
+            Program = ProbingProgram.Of(moves, job.Name, dialect, template, job.WorkOrder),
+            Points = points,
+            TouchZ = z,
+            Notes = notes,
+            Read = files.Read,
+        };
+
+        double Assumed(double value, string what)
+        {
+            assumed.Add(string.Create(CultureInfo.InvariantCulture, $"{what} {value:0.###}"));
+            return value;
+        }
+    }
+
+    // The job's own control, or the one that is named. Many understand what Fanuc does, which is then assumed.
+    private static (NcDialect Dialect, ProbingTemplate Template) Template(
+        ProbeWish wish, MatingJob job, NcDialect? own, JobFiles files, List<string> assumed)
+    {
+        var dialect = wish.Dialect is { } named ? InputFile.Dialect(named) : own ?? NcDialects.Named(job.Counterpart.Dialect);
+        if (wish.Template is { } template)
+        {
+            if (ProbingTemplate.Names.Contains(template))
+            {
+                return (dialect, ProbingTemplate.Named(template));
+            }
+
+            files.Add([template]);
+            return (dialect, ProbingTemplate.Parse(InputFile.Bytes(template, ProbingTemplate.MaxBytes), template));
+        }
+
+        if (ProbingTemplate.Names.Contains(dialect.Name) || dialect.Files.Count > 0 || dialect.Name == "haas" || !dialect.HasCodes)
+        {
+            return (dialect, ProbingTemplate.For(dialect));
+        }
+
+        assumed.Add("codes of Fanuc");
+        return (NcDialects.FanucMill, ProbingTemplate.Named("fanuc"));
+    }
+
+    private static ProbingTouch TouchOf(int number, PlannedPoint point, double z, double radius, double overtravel)
+    {
+        var normal = new Vector3(point.Normal.X, point.Normal.Y, 0);
+        return new(number, At(radius + point.ApproachMm), At(0), At(radius), At(radius - overtravel), normal)
+        {
+            Name = point.Label,
+        };
+
+        Point3 At(double off)
+        {
+            var place = point.Place + (point.Normal * off);
+            return new(place.X, place.Y, z);
+        }
+    }
+
+    // Half as deep as the program cuts below its zero.
+    private static double? HalfDepth(NcPath path)
+    {
+        var lowest = 0.0;
+        foreach (var motion in path.Motions)
+        {
+            if (motion is { IsCut: true, MovesInPlane: true } && motion.End.Z is var z && double.IsFinite(z)
+                && (motion.UnknownEnd & AxisSet.Z) == AxisSet.None)
+            {
+                lowest = Math.Min(lowest, z);
+            }
+        }
+
+        return lowest < 0 ? Math.Round(lowest / 2, 3) : null;
+    }
+
+    private static double Highest(NcPath path)
+    {
+        var highest = 0.0;
+        foreach (var motion in path.Motions)
+        {
+            if ((motion.UnknownEnd & AxisSet.Z) == AxisSet.None && double.IsFinite(motion.End.Z))
+            {
+                highest = Math.Max(highest, motion.End.Z);
+            }
+        }
+
+        return Math.Min(highest, 100);
+    }
+}
+
+/// <summary>What a caller states about a probing program. What is null is the job's, or assumed and told.</summary>
+public sealed record ProbeWish
+{
+    /// <summary>Diameter of the ball, mm.</summary>
+    public double? StylusDiameterMm { get; init; }
+
+    /// <summary>Height at which the ball's center touches, mm.</summary>
+    public double? TouchZ { get; init; }
+
+    /// <summary>Height of the ball's center during travel, mm.</summary>
+    public double? ClearanceZ { get; init; }
+
+    /// <summary>Distance from the part at which measuring moves start where there is room, mm.</summary>
+    public double? ApproachMm { get; init; }
+
+    /// <summary>How far measuring moves go on behind the expected contact, mm.</summary>
+    public double? OvertravelMm { get; init; }
+
+    /// <summary>Feed of the measuring move, mm/min.</summary>
+    public double? FeedMmPerMin { get; init; }
+
+    /// <summary>Number of the probe as a tool, and of its length offset.</summary>
+    public int? ToolNumber { get; init; }
+
+    /// <summary>The control that the program is for; null for that of the counterpart's program.</summary>
+    public string? Dialect { get; init; }
+
+    /// <summary>A built-in template, or a file of the shop.</summary>
+    public string? Template { get; init; }
+}

@@ -1,0 +1,37 @@
+using System.Globalization;
+using System.Security.Cryptography;
+using System.Text;
+using ErrorMatching.Mating;
+using ErrorMatching.Measurement;
+
+namespace ErrorMatching.Jobs;
+
+/// <summary>The order in which a probing program touches the key points of a mating job, and the number by which its log names
+/// it.</summary>
+internal static class TouchOrder
+{
+    /// <summary>The labels: in the order that the job states for logs without labels, else in that of the theoretical file.</summary>
+    public static IReadOnlyList<string> Labels(MatingJob job, MeasurementFile theoretical)
+    {
+        if (job.Gauge.Order.Count > 0)
+        {
+            return job.Gauge.Order;
+        }
+
+        var needed = job.NeededPoints.ToHashSet(StringComparer.Ordinal);
+        return [.. theoretical.Points.Select(p => p.Label).Where(needed.Contains)];
+    }
+
+    /// <summary>16 hexadecimal digits of the SHA-256 of the labels and their places as designed.</summary>
+    public static string PlanOf(MatingJob job, MeasurementFile theoretical)
+    {
+        var text = new StringBuilder();
+        foreach (var label in Labels(job, theoretical))
+        {
+            var at = theoretical[label].Position;
+            text.Append(CultureInfo.InvariantCulture, $"{label},{at.X:0.000000},{at.Y:0.000000}\n");
+        }
+
+        return Convert.ToHexString(SHA256.HashData(Encoding.UTF8.GetBytes(text.ToString())))[..16];
+    }
+}
