@@ -63,12 +63,12 @@ public static partial class SurfaceReader
     // A STEP file identifies itself. An IGES file has a section letter in column 73 of its first record.
     private static bool IsStep(ReadOnlySpan<byte> bytes, string file)
     {
-        var start = Encoding.Latin1.GetString(bytes[..Math.Min(bytes.Length, 4096)]);
-        if (start.AsSpan(StepLexer.SkipBlanks(start, 0)).StartsWith("ISO-10303-21"))
+        if (FlatFaces.IsStep(bytes))
         {
             return true;
         }
 
+        var start = Encoding.Latin1.GetString(bytes[..Math.Min(bytes.Length, 80)]);
         var known = file.EndsWith(".stp", StringComparison.OrdinalIgnoreCase) || file.EndsWith(".step", StringComparison.OrdinalIgnoreCase);
         return known && !(start.Length > 72 && start[72] is 'S' or 'G' or 'C');
     }

@@ -1,4 +1,3 @@
-using System.Globalization;
 using ErrorMatching.Geometry;
 using ErrorMatching.Refusals;
 
@@ -7,7 +6,6 @@ namespace ErrorMatching.Freeform;
 /// <summary>Reads curves of a STEP file as B-splines: LINE, CIRCLE, ELLIPSE, POLYLINE and B-splines, between two of their points.</summary>
 internal static class StepCurves
 {
-    private const double SamePlaceMm = 1e-3;
     private const int Starts = 16;
 
     /// <summary>Returns the part of a curve from one point to another, in the curve's own direction, in millimeters.</summary>
@@ -100,30 +98,10 @@ internal static class StepCurves
         "a curve of this kind is not read: LINE, CIRCLE, ELLIPSE, POLYLINE, B_SPLINE_CURVE_WITH_KNOTS (rational too) and BEZIER_CURVE "
             + "are. Export edges as B-splines");
 
-    // Counterclockwise about the placement's axis; a full turn if the points coincide.
     private static SplineCurve Arc(StepRecord record, double first, double second, Point3 from, Point3 to, double scale)
     {
-        var frame = StepPlacement.Of(record.Instance(1));
-        if (!(first > 0 && second > 0))
-        {
-            throw record.Fail(
-                "bad-value",
-                string.Create(CultureInfo.InvariantCulture, $"a radius of {Math.Min(first, second)}; a positive one is expected"));
-        }
-
-        var center = frame.Origin * scale;
-        double Angle(Point3 p)
-        {
-            var d = new Vector3(p.X, p.Y, p.Z) - center;
-            return Elementary.Atan2(d.Dot(frame.Y) / second, d.Dot(frame.X) / first);
-        }
-
-        var (a, b) = (Angle(from), Angle(to));
-        var sweep = b - a;
-        sweep -= Math.Tau * Math.Floor(sweep / Math.Tau);
-        var closed = (to - from).Length <= SamePlaceMm && (sweep < 1 || sweep > Math.Tau - 1);
-        return SplineArc.Of(
-            center, frame.X * (first * scale), frame.Y * (second * scale), a, a + (closed || sweep <= 0 ? Math.Tau : sweep));
+        var arc = StepArc.Of(record, first, second, from, to, scale);
+        return SplineArc.Of(arc.Center, arc.X, arc.Y, arc.Start, arc.Start + arc.Sweep);
     }
 
     // Most edges are a whole curve. The others are cut from it at the ends of the edge.

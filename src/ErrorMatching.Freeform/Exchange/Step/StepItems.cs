@@ -17,12 +17,17 @@ internal sealed class StepItems
 
     private readonly HashSet<long> _seen = [];
     private readonly List<StepItem> _items = [];
+    private readonly double? _unitMm;
+
+    private StepItems(double? unitMm) => _unitMm = unitMm;
 
     /// <summary>Returns the surfaces in file order.</summary>
+    /// <param name="file">The file.</param>
+    /// <param name="unitMm">Millimeters per unit, whatever the file says; null to take what it says.</param>
     /// <exception cref="InputException">The file is broken, or places parts in an assembly.</exception>
-    public static IReadOnlyList<StepItem> Of(StepFile file)
+    public static IReadOnlyList<StepItem> Of(StepFile file, double? unitMm = null)
     {
-        var found = new StepItems();
+        var found = new StepItems(unitMm);
         foreach (var instance in file.Where(k => k.EndsWith("REPRESENTATION", StringComparison.Ordinal)))
         {
             if (instance.Records is [{ Values: [_, { Kind: StepValueKind.List }, { Kind: StepValueKind.Reference }, ..] } record])
@@ -57,7 +62,7 @@ internal sealed class StepItems
 
         if (!IsContainer(item.Keyword))
         {
-            _items.Add(new(item, StepUnit.Millimeters(representation.Instance(2))));
+            _items.Add(new(item, _unitMm ?? StepUnit.Millimeters(representation.Instance(2))));
             return;
         }
 

@@ -50,29 +50,16 @@ internal sealed class StepLoops(StepInstance surface, double scale, SurfaceMap m
 
     private void Edge(StepInstance oriented)
     {
-        var record = oriented.Get("ORIENTED_EDGE");
-        var edge = record.Record(3, "EDGE_CURVE");
-        var forward = edge.Flag(4);
-        var (first, last) = (StepCurves.Point(edge, 1, scale), StepCurves.Point(edge, 2, scale));
-        var (from, to) = forward ? (first, last) : (last, first);
-        var backward = record.Flag(4) != forward;
-        var curve = edge.Instance(3);
-        if (hasParameters && OfParameters(curve, from, to) is { } flat)
+        var use = StepEdgeUse.Of(oriented, scale);
+        if (hasParameters && OfParameters(use.Curve, use.From, use.To) is { } flat)
         {
-            tracer.Parameters(backward ? flat.Reverse() : flat);
+            tracer.Parameters(use.IsBackward ? flat.Reverse() : flat);
             return;
         }
 
-        // The first attribute of a curve on surfaces is its curve in space.
-        for (var depth = 0; curve.Keyword is "SURFACE_CURVE" or "SEAM_CURVE" or "INTERSECTION_CURVE"; depth++)
-        {
-            curve = depth < ExchangeLimits.MaxDepth
-                ? curve.Records[0].Instance(1)
-                : throw edge.Fail("too-deep", "curves that refer to one another without end");
-        }
-
-        var space = StepCurves.Between(curve, from, to, scale);
-        tracer.Space(backward ? space.Reverse() : space);
+        use = use.InSpace();
+        var space = StepCurves.Between(use.Curve, use.From, use.To, scale);
+        tracer.Space(use.IsBackward ? space.Reverse() : space);
     }
 
     // The parameter curve, if the edge spans all of it. Lines and circles do not define where the edge ends.
