@@ -224,7 +224,7 @@ public sealed class DxfHostileTests
     public void Too_many_curves_are_refused()
     {
         var text = new StringBuilder("0\nSECTION\n2\nENTITIES\n");
-        for (var i = 0; i <= DxfLimits.MaxCurves; i++)
+        for (var i = 0; i <= DrawingLimits.MaxCurves; i++)
         {
             text.Append("0\nLINE\n10\n0\n20\n0\n11\n1\n21\n0\n");
         }

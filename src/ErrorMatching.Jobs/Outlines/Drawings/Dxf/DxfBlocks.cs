@@ -13,9 +13,9 @@ internal sealed class DxfBlocks(DxfFile file, DxfNotes notes, DxfPen pen)
 
     /// <summary>Draws everything.</summary>
     /// <param name="map">From the numbers of the drawing to millimeters.</param>
-    public void Draw(in DxfMap map) => Draw(file.Drawing, null, map, 0);
+    public void Draw(in PlaneMap map) => Draw(file.Drawing, null, map, 0);
 
-    private void Draw(DxfBlock block, string? insertLayer, in DxfMap map, int depth)
+    private void Draw(DxfBlock block, string? insertLayer, in PlaneMap map, int depth)
     {
         if (!block.IsUsed)
         {
@@ -55,7 +55,7 @@ internal sealed class DxfBlocks(DxfFile file, DxfNotes notes, DxfPen pen)
         }
     }
 
-    private void Insert(DxfEntity entity, string layer, in DxfMap map, int depth)
+    private void Insert(DxfEntity entity, string layer, in PlaneMap map, int depth)
     {
         var insert = entity.Insert ??= _geometry.ReadInsert(entity);
         var block = insert.Block;
@@ -68,7 +68,7 @@ internal sealed class DxfBlocks(DxfFile file, DxfNotes notes, DxfPen pen)
         if (block.IsOpen || depth >= DxfLimits.MaxDepth)
         {
             throw file.Groups.FailAt("bad-block", entity.Place, block.IsOpen
-                ? $"{entity.Label}: block {DxfLimits.Quote(block.Name)} contains itself; blocks of other blocks are expected"
+                ? $"{entity.Label}: block {DrawingLimits.Quote(block.Name)} contains itself; blocks of other blocks are expected"
                 : string.Create(
                     CultureInfo.InvariantCulture,
                     $"{entity.Label}: blocks are nested more than {DxfLimits.MaxDepth} deep; fewer levels are expected"));

@@ -32,7 +32,7 @@ internal sealed class DxfEntity(string kind, int place, string label, (int Offse
     public bool IsInvisible { get; set; }
 
     /// <summary>Its pieces; null before they are read.</summary>
-    public IReadOnlyList<DxfShape>? Shapes { get; set; }
+    public IReadOnlyList<DrawnShape>? Shapes { get; set; }
 
     /// <summary>What it inserts; null before it is read, and unless it is an INSERT.</summary>
     public DxfInsert? Insert { get; set; }
@@ -71,9 +71,9 @@ internal sealed class DxfBlock(string name)
 /// <param name="Columns">Number of copies along X.</param>
 /// <param name="Rows">Number of copies along Y.</param>
 /// <param name="Step">Distances of columns and rows.</param>
-internal sealed record DxfInsert(DxfBlock Block, DxfMap Outer, DxfMap Inner, int Columns, int Rows, Vector2 Step)
+internal sealed record DxfInsert(DxfBlock Block, PlaneMap Outer, PlaneMap Inner, int Columns, int Rows, Vector2 Step)
 {
     /// <summary>The map of a copy, from the inserted block to the block that has the INSERT.</summary>
-    public DxfMap At(int column, int row) =>
-        Outer.After(DxfMap.Shift(new(column * Step.X, row * Step.Y)).After(Inner));
+    public PlaneMap At(int column, int row) =>
+        Outer.After(PlaneMap.Shift(new(column * Step.X, row * Step.Y)).After(Inner));
 }

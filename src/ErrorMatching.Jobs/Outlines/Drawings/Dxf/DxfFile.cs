@@ -88,7 +88,7 @@ internal sealed class DxfFile
 
     private InputException Unexpected(string expected)
     {
-        var found = string.Create(CultureInfo.InvariantCulture, $"group {Groups.Code} with {DxfLimits.Quote(Groups.Latin())}");
+        var found = string.Create(CultureInfo.InvariantCulture, $"group {Groups.Code} with {DrawingLimits.Quote(Groups.Latin())}");
         return Groups.Fail("bad-structure", $"{found}; {expected} is expected");
     }
 
@@ -119,7 +119,7 @@ internal sealed class DxfFile
     {
         if (IsKind("EOF"u8) || IsKind("SECTION"u8))
         {
-            throw Unexpected($"the end (ENDSEC) of section {DxfLimits.Quote(name)}");
+            throw Unexpected($"the end (ENDSEC) of section {DrawingLimits.Quote(name)}");
         }
     }
 
@@ -226,7 +226,7 @@ internal sealed class DxfFile
             if (name.Length > 0 && !_blocks.TryAdd(name, block))
             {
                 throw Groups.FailAt(
-                    "bad-structure", place, $"a second block {DxfLimits.Quote(name)}; blocks with different names are expected");
+                    "bad-structure", place, $"a second block {DrawingLimits.Quote(name)}; blocks with different names are expected");
             }
 
             Entities(block, "ENDBLK");

@@ -16,7 +16,7 @@ internal sealed class DxfGeometry(DxfFile file, DxfNotes notes)
     private readonly DxfValues _values = new(file.Groups);
 
     /// <summary>Reads the pieces of an entity; none if they are passed over.</summary>
-    public IReadOnlyList<DxfShape> Read(DxfEntity entity)
+    public IReadOnlyList<DrawnShape> Read(DxfEntity entity)
     {
         _values.Read(entity);
         switch (entity.Kind)
@@ -52,7 +52,7 @@ internal sealed class DxfGeometry(DxfFile file, DxfNotes notes)
         var name = _values.Name(2, file) ?? throw Fail(entity, "bad-record", "no name of a block in group 2; one is expected");
         var block = file.Block(name)
             ?? throw Fail(
-                entity, "bad-block", $"block {DxfLimits.Quote(name)}, which the file does not have; a block of the file is expected");
+                entity, "bad-block", $"block {DrawingLimits.Quote(name)}, which the file does not have; a block of the file is expected");
         var (columns, rows) = (_values.Integer(70, 1), _values.Integer(71, 1));
         (columns, rows) = (columns == 0 ? 1 : columns, rows == 0 ? 1 : rows);
         if (columns < 0 || rows < 0 || (long)columns * rows > DxfLimits.MaxVisits)
@@ -73,14 +73,14 @@ internal sealed class DxfGeometry(DxfFile file, DxfNotes notes)
             return new(new(name), default, default, 0, 0, default);
         }
 
-        var outer = plane.After(DxfMap.Shift(new(_values.Number(10, 0), _values.Number(20, 0))))
-            .After(DxfMap.Rotation(_values.Number(50, 0)));
-        var inner = DxfMap.Scaling(scale.X, scale.Y).After(DxfMap.Shift(Point2.Origin - block.Base));
+        var outer = plane.After(PlaneMap.Shift(new(_values.Number(10, 0), _values.Number(20, 0))))
+            .After(PlaneMap.Rotation(_values.Number(50, 0)));
+        var inner = PlaneMap.Scaling(scale.X, scale.Y).After(PlaneMap.Shift(Point2.Origin - block.Base));
         return new(block, outer, inner, columns, rows, new(_values.Number(44, 0), _values.Number(45, 0)));
     }
 
     // The arbitrary axis algorithm of the format turns X around for a plane seen from below, and keeps Y.
-    private DxfMap? Plane(DxfEntity entity)
+    private PlaneMap? Plane(DxfEntity entity)
     {
         var (x, y, z) = (_values.Number(210, 0), _values.Number(220, 0), _values.Number(230, 1));
         if (x == 0 && y == 0 && z == 0)
@@ -94,10 +94,10 @@ internal sealed class DxfGeometry(DxfFile file, DxfNotes notes)
             return null;
         }
 
-        return z > 0 ? DxfMap.Scaling(1, 1) : DxfMap.FromBelow;
+        return z > 0 ? PlaneMap.Scaling(1, 1) : PlaneMap.FromBelow;
     }
 
-    private DxfShape[] Line(DxfEntity entity)
+    private DrawnShape[] Line(DxfEntity entity)
     {
         var (from, to) = (Point(entity, 10), Point(entity, 11));
         if (_values.Number(30, 0) != _values.Number(31, 0))
@@ -105,10 +105,10 @@ internal sealed class DxfGeometry(DxfFile file, DxfNotes notes)
             notes.Count(DxfNote.Sloped, entity);
         }
 
-        return [new DxfSegment(from, to)];
+        return [new SegmentShape(from, to)];
     }
 
-    private DxfShape[] Arc(DxfEntity entity, in DxfMap plane)
+    private DrawnShape[] Arc(DxfEntity entity, in PlaneMap plane)
     {
         var (start, end) = (Required(entity, 50), Required(entity, 51));
         var turn = Math.IEEERemainder(end - start, 360);
@@ -119,9 +119,9 @@ internal sealed class DxfGeometry(DxfFile file, DxfNotes notes)
         return Round(entity, plane, start * (Math.PI / 180), turn * (Math.PI / 180));
     }
 
-    private DxfShape[] Circle(DxfEntity entity, in DxfMap plane) => Round(entity, plane, 0, Math.Tau);
+    private DrawnShape[] Circle(DxfEntity entity, in PlaneMap plane) => Round(entity, plane, 0, Math.Tau);
 
-    private DxfShape[] Round(DxfEntity entity, in DxfMap plane, double start, double sweep)
+    private DrawnShape[] Round(DxfEntity entity, in PlaneMap plane, double start, double sweep)
     {
         var (center, radius) = (Point(entity, 10), Required(entity, 40));
         if (radius < 0)
@@ -136,10 +136,10 @@ internal sealed class DxfGeometry(DxfFile file, DxfNotes notes)
             return [];
         }
 
-        return [new DxfEllipse(plane.Of(center), plane.X * radius, plane.Y * radius, start, sweep)];
+        return [new EllipseShape(plane.Of(center), plane.X * radius, plane.Y * radius, start, sweep)];
     }
 
-    private DxfShape[] Ellipse(DxfEntity entity, bool isFromBelow)
+    private DrawnShape[] Ellipse(DxfEntity entity, bool isFromBelow)
     {
         // Unlike arcs, ellipses have their points in the coordinates of the block.
         var (center, axis) = (Point(entity, 10), Point(entity, 11) - Point2.Origin);
@@ -170,10 +170,10 @@ internal sealed class DxfGeometry(DxfFile file, DxfNotes notes)
             sweep += sweep < 0 ? Math.Tau : 0;
         }
 
-        return [new DxfEllipse(center, axis, (isFromBelow ? -axis.Left : axis.Left) * ratio, start, Math.Min(sweep, Math.Tau))];
+        return [new EllipseShape(center, axis, (isFromBelow ? -axis.Left : axis.Left) * ratio, start, Math.Min(sweep, Math.Tau))];
     }
 
-    private DxfShape[] Lightweight(DxfEntity entity, in DxfMap plane)
+    private DrawnShape[] Lightweight(DxfEntity entity, in PlaneMap plane)
     {
         var (vertices, isWide) = _values.Vertices();
         if (_values.Integer(90, vertices.Count) is var stated && stated != vertices.Count)
@@ -190,7 +190,7 @@ internal sealed class DxfGeometry(DxfFile file, DxfNotes notes)
         return Joined(vertices, (_values.Integer(70, 0) & 1) != 0, plane);
     }
 
-    private DxfShape[] Polyline(DxfEntity entity, in DxfMap plane)
+    private DrawnShape[] Polyline(DxfEntity entity, in PlaneMap plane)
     {
         const int Closed = 1, Space = 8, Meshes = 16 | 64, Frame = 16, SplineFit = 8;
         var flags = _values.Integer(70, 0);
@@ -222,7 +222,7 @@ internal sealed class DxfGeometry(DxfFile file, DxfNotes notes)
         Count(isWide, DxfNote.Wide);
         Count(isFit, DxfNote.Approximated);
         Count(isSloped && (flags & Space) != 0, DxfNote.Sloped);
-        return Joined(vertices, (flags & Closed) != 0, (flags & Space) != 0 ? DxfMap.Scaling(1, 1) : plane);
+        return Joined(vertices, (flags & Closed) != 0, (flags & Space) != 0 ? PlaneMap.Scaling(1, 1) : plane);
 
         void Count(bool applies, DxfNote note)
         {
@@ -233,15 +233,15 @@ internal sealed class DxfGeometry(DxfFile file, DxfNotes notes)
         }
     }
 
-    private static DxfShape[] Joined(List<(Point2 At, double Bulge)> vertices, bool isClosed, in DxfMap plane)
+    private static DrawnShape[] Joined(List<(Point2 At, double Bulge)> vertices, bool isClosed, in PlaneMap plane)
     {
         var count = isClosed && vertices.Count > 1 ? vertices.Count : Math.Max(0, vertices.Count - 1);
-        var shapes = new DxfShape[count];
+        var shapes = new DrawnShape[count];
         for (var i = 0; i < count; i++)
         {
             var (from, to) = (plane.Of(vertices[i].At), plane.Of(vertices[(i + 1) % vertices.Count].At));
             var bulge = plane.IsMirror ? -vertices[i].Bulge : vertices[i].Bulge;
-            shapes[i] = bulge == 0 ? new DxfSegment(from, to) : new DxfBulge(from, to, bulge);
+            shapes[i] = bulge == 0 ? new SegmentShape(from, to) : new BulgeShape(from, to, bulge);
         }
 
         return shapes;

@@ -38,7 +38,10 @@ internal sealed class DxfGroups
         {
             var version = Encoding.Latin1.GetString(bytes, 0, Math.Min(6, bytes.Length));
             throw InputException.At(
-                "not-dxf", file, $"this is a DWG file ({DxfLimits.Quote(version)}); a DXF file is expected: save the drawing as DXF", 1);
+                "not-dxf",
+                file,
+                $"this is a DWG file ({DrawingLimits.Quote(version)}); a DXF file is expected: save the drawing as DXF",
+                1);
         }
 
         if (bytes is [0xFF, 0xFE, ..] or [0xFE, 0xFF, ..])
@@ -96,8 +99,8 @@ internal sealed class DxfGroups
     {
         var value = _isNumber ? _number
             : double.TryParse(Text, NumberStyles.Float, CultureInfo.InvariantCulture, out var parsed) ? parsed
-            : throw BadValue(entity, DxfLimits.Quote(Latin()), "a number");
-        return double.IsFinite(value) ? value : throw BadValue(entity, DxfLimits.Quote(Shown(value)), "a finite number");
+            : throw BadValue(entity, DrawingLimits.Quote(Latin()), "a number");
+        return double.IsFinite(value) ? value : throw BadValue(entity, DrawingLimits.Quote(Shown(value)), "a finite number");
     }
 
     /// <summary>The value as a whole number.</summary>
@@ -108,16 +111,16 @@ internal sealed class DxfGroups
         {
             return _number is >= int.MinValue and <= int.MaxValue && Math.Floor(_number) == _number
                 ? (int)_number
-                : throw BadValue(entity, DxfLimits.Quote(Shown(_number)), "a whole number");
+                : throw BadValue(entity, DrawingLimits.Quote(Shown(_number)), "a whole number");
         }
 
         return Utf8Parser.TryParse(Text, out int value, out var used) && used == _length
             ? value
-            : throw BadValue(entity, DxfLimits.Quote(Latin()), "a whole number");
+            : throw BadValue(entity, DrawingLimits.Quote(Latin()), "a whole number");
     }
 
     /// <summary>The value for a message, byte by byte.</summary>
-    public string Latin() => Encoding.Latin1.GetString(Text[..Math.Min(_length, 2 * DxfLimits.MaxQuoted)]);
+    public string Latin() => Encoding.Latin1.GetString(Text[..Math.Min(_length, 2 * DrawingLimits.MaxQuoted)]);
 
     /// <summary>An error at the present group.</summary>
     public InputException Fail(string code, string problem) => FailAt(code, Place, problem);
@@ -154,7 +157,7 @@ internal sealed class DxfGroups
                 throw CutOff();
             }
 
-            var found = DxfLimits.Quote(Encoding.Latin1.GetString(text[..Math.Min(text.Length, 2 * DxfLimits.MaxQuoted)]));
+            var found = DrawingLimits.Quote(Encoding.Latin1.GetString(text[..Math.Min(text.Length, 2 * DrawingLimits.MaxQuoted)]));
             throw Fail(
                 Place == 1 ? "not-dxf" : "bad-group",
                 $"{found}; a group code is expected, a number from 0 to 1071{(Place == 1 ? ": is this a DXF file?" : "")}");

@@ -38,7 +38,7 @@ internal sealed class DxfNotes
         if (_layers.Count > 0)
         {
             var total = _layers.Values.Sum();
-            var names = Named(_layers, (_, name) => DxfLimits.Quote(name));
+            var names = Named(_layers, (_, name) => DrawingLimits.Quote(name));
             all.Add(string.Create(
                 CultureInfo.InvariantCulture, $"Passed over on layers that are off or frozen: {Entities(total)} ({names})."));
         }

@@ -35,7 +35,7 @@ internal static class DxfReader
         var source = new DxfFile(new(bytes, file), notes);
         var unit = unitMm is { } mm ? new DrawingUnit(mm, true) : Unit(source);
         var pen = new DxfPen(source.Groups, notes);
-        new DxfBlocks(source, notes, pen).Draw(DxfMap.Scaling(unit.Mm, unit.Mm));
+        new DxfBlocks(source, notes, pen).Draw(PlaneMap.Scaling(unit.Mm, unit.Mm));
         return pen.Curves.Count > 0
             ? new(file, unit, pen.Curves, notes.ToList())
             : throw InputException.At(

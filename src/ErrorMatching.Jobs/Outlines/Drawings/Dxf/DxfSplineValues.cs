@@ -11,7 +11,7 @@ namespace ErrorMatching.Jobs;
 internal sealed class DxfSplineValues(DxfValues values, DxfGroups groups, DxfNotes notes)
 {
     /// <summary>Reads it.</summary>
-    public DxfShape[] Read(DxfEntity entity)
+    public DrawnShape[] Read(DxfEntity entity)
     {
         var (degree, points, knots, weights) = (values.Integer(71, 3), values.Points(10), values.Numbers(40), values.Numbers(41));
         Check(entity, "knots", 72, knots.Count);
@@ -63,7 +63,7 @@ internal sealed class DxfSplineValues(DxfValues values, DxfGroups groups, DxfNot
             notes.Count(DxfNote.Sloped, entity);
         }
 
-        return [new DxfSpline(degree, [.. knots], poles, weights.Count > 0 ? [.. weights] : null)];
+        return [new SplineShape(degree, [.. knots], poles, weights.Count > 0 ? [.. weights] : null)];
     }
 
     private void CheckKnots(DxfEntity entity, int degree, List<double> knots)

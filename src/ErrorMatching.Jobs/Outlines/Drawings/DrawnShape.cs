@@ -2,36 +2,36 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>A piece of an entity in the numbers of its block. Each kind stays of its kind under affine maps.</summary>
-internal abstract record DxfShape
+/// <summary>A piece of a drawing in the numbers of its block or model. Each kind stays of its kind under affine maps.</summary>
+internal abstract record DrawnShape
 {
     /// <summary>Draws it.</summary>
     /// <param name="map">From the block to the drawing in millimeters.</param>
     /// <param name="pen">Receives the curves.</param>
-    public abstract void Draw(in DxfMap map, DxfPen pen);
+    public abstract void Draw(in PlaneMap map, DrawingPen pen);
 }
 
 /// <summary>A line.</summary>
 /// <param name="From">Its start.</param>
 /// <param name="To">Its end.</param>
-internal sealed record DxfSegment(Point2 From, Point2 To) : DxfShape
+internal sealed record SegmentShape(Point2 From, Point2 To) : DrawnShape
 {
     /// <inheritdoc/>
-    public override void Draw(in DxfMap map, DxfPen pen) => pen.Line(map.Of(From), map.Of(To));
+    public override void Draw(in PlaneMap map, DrawingPen pen) => pen.Line(map.Of(From), map.Of(To));
 }
 
 /// <summary>An arc between two points.</summary>
 /// <param name="From">Its start.</param>
 /// <param name="To">Its end.</param>
 /// <param name="Bulge">The tangent of a quarter of its sweep, positive counterclockwise.</param>
-internal sealed record DxfBulge(Point2 From, Point2 To, double Bulge) : DxfShape
+internal sealed record BulgeShape(Point2 From, Point2 To, double Bulge) : DrawnShape
 {
     /// <inheritdoc/>
-    public override void Draw(in DxfMap map, DxfPen pen)
+    public override void Draw(in PlaneMap map, DrawingPen pen)
     {
         var (from, to) = (map.Of(From), map.Of(To));
         var chord = to - from;
-        if (chord.Length < DxfLimits.MinMm || Math.Abs(Bulge) * chord.Length / 2 < DxfLimits.MinMm)
+        if (chord.Length < DrawingLimits.MinMm || Math.Abs(Bulge) * chord.Length / 2 < DrawingLimits.MinMm)
         {
             pen.Line(from, to);
             return;
@@ -45,7 +45,7 @@ internal sealed record DxfBulge(Point2 From, Point2 To, double Bulge) : DxfShape
         else
         {
             var (center, radius, start, sweep) = Arc(From, To, Bulge);
-            new DxfEllipse(center, new(radius, 0), new(0, radius), start, sweep).Draw(map, pen);
+            new EllipseShape(center, new(radius, 0), new(0, radius), start, sweep).Draw(map, pen);
         }
     }
 
@@ -69,14 +69,14 @@ internal sealed record DxfBulge(Point2 From, Point2 To, double Bulge) : DxfShape
 /// <param name="V">Half of the conjugate diameter.</param>
 /// <param name="Start">The parameter of its start, radians.</param>
 /// <param name="Sweep">The change of the parameter to its end, radians; two pi for a whole ellipse.</param>
-internal sealed record DxfEllipse(Point2 Center, Vector2 U, Vector2 V, double Start, double Sweep) : DxfShape
+internal sealed record EllipseShape(Point2 Center, Vector2 U, Vector2 V, double Start, double Sweep) : DrawnShape
 {
     private const double Whole = Math.Tau - 1e-9;
 
     /// <inheritdoc/>
-    public override void Draw(in DxfMap map, DxfPen pen)
+    public override void Draw(in PlaneMap map, DrawingPen pen)
     {
-        var (center, axes) = (map.Of(Center), new DxfMap(map.Of(U), map.Of(V), map.Of(Center)));
+        var (center, axes) = (map.Of(Center), new PlaneMap(map.Of(U), map.Of(V), map.Of(Center)));
         if (axes.KeepsCircles)
         {
             var sign = axes.IsMirror ? -1 : 1;
@@ -88,7 +88,7 @@ internal sealed record DxfEllipse(Point2 Center, Vector2 U, Vector2 V, double St
         var largest = Math.Sqrt(axes.X.Dot(axes.X) + axes.Y.Dot(axes.Y));
         var height = Math.Min(0.5, 0.9 * DrawnCourse.ChordMm / largest);
         var step = 2 * Elementary.Acos(1 - height);
-        var count = (int)Math.Clamp(Math.Ceiling(Math.Abs(Sweep) / step), 2, DxfLimits.MaxPoints);
+        var count = (int)Math.Clamp(Math.Ceiling(Math.Abs(Sweep) / step), 2, DrawingLimits.MaxPoints);
         pen.Reserve(count + 1);
         var points = new Point2[count + 1];
         for (var i = 0; i <= count; i++)
@@ -99,7 +99,7 @@ internal sealed record DxfEllipse(Point2 Center, Vector2 U, Vector2 V, double St
         pen.Course(points);
     }
 
-    private static Point2 At(in DxfMap axes, double t)
+    private static Point2 At(in PlaneMap axes, double t)
     {
         var (sin, cos) = Elementary.SinCos(t);
         return axes.Origin + ((axes.X * cos) + (axes.Y * sin));

@@ -7,7 +7,7 @@ namespace ErrorMatching.Jobs;
 /// <param name="Knots">Nondecreasing, one more than poles and degree.</param>
 /// <param name="Poles">Its control points.</param>
 /// <param name="Weights">One positive number per pole; null for a nonrational curve.</param>
-internal sealed record DxfSpline(int Degree, double[] Knots, Point2[] Poles, double[]? Weights) : DxfShape
+internal sealed record SplineShape(int Degree, double[] Knots, Point2[] Poles, double[]? Weights) : DrawnShape
 {
     // A halved piece is about four times as flat.
     private const int MaxHalvings = 40;
@@ -19,7 +19,7 @@ internal sealed record DxfSpline(int Degree, double[] Knots, Point2[] Poles, dou
     private const double MaxPoleMm = 1e9;
 
     /// <inheritdoc/>
-    public override void Draw(in DxfMap map, DxfPen pen)
+    public override void Draw(in PlaneMap map, DrawingPen pen)
     {
         var poles = new Point3[Poles.Length];
         for (var i = 0; i < poles.Length; i++)
@@ -57,7 +57,7 @@ internal sealed record DxfSpline(int Degree, double[] Knots, Point2[] Poles, dou
         pen.Course(points);
     }
 
-    private static void Add(List<Point2> points, Point2 point, DxfPen pen)
+    private static void Add(List<Point2> points, Point2 point, DrawingPen pen)
     {
         pen.Reserve(1);
         points.Add(pen.Check(point));
@@ -66,7 +66,7 @@ internal sealed record DxfSpline(int Degree, double[] Knots, Point2[] Poles, dou
     private static Point2 Flat(Point3 p) => new(p.X / p.Z, p.Y / p.Z);
 
     // A Bezier curve is within the hull of its poles, so their distance from the chord bounds its own.
-    private static void Follow(Point3[] piece, List<Point2> points, DxfPen pen, int halvings)
+    private static void Follow(Point3[] piece, List<Point2> points, DrawingPen pen, int halvings)
     {
         if (IsFlat(piece))
         {

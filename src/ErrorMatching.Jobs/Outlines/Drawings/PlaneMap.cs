@@ -6,13 +6,13 @@ namespace ErrorMatching.Jobs;
 /// <param name="X">Image of the first axis.</param>
 /// <param name="Y">Image of the second axis.</param>
 /// <param name="Origin">Image of the origin.</param>
-internal readonly record struct DxfMap(Vector2 X, Vector2 Y, Point2 Origin)
+internal readonly record struct PlaneMap(Vector2 X, Vector2 Y, Point2 Origin)
 {
     // Relative difference of two axes up to which circles stay circles. It is far below what coordinates of files have in digits.
     private const double Same = 1e-10;
 
     /// <summary>Turns the right side to the left: the plane as seen from below.</summary>
-    public static DxfMap FromBelow { get; } = new(new(-1, 0), new(0, 1), Point2.Origin);
+    public static PlaneMap FromBelow { get; } = new(new(-1, 0), new(0, 1), Point2.Origin);
 
     /// <summary>True if it turns counterclockwise into clockwise.</summary>
     public bool IsMirror => X.Cross(Y) < 0;
@@ -27,13 +27,13 @@ internal readonly record struct DxfMap(Vector2 X, Vector2 Y, Point2 Origin)
     public bool KeepsCircles => ((IsMirror ? -X.Left : X.Left) - Y).Length <= Same * X.Length;
 
     /// <summary>Enlarges.</summary>
-    public static DxfMap Scaling(double x, double y) => new(new(x, 0), new(0, y), Point2.Origin);
+    public static PlaneMap Scaling(double x, double y) => new(new(x, 0), new(0, y), Point2.Origin);
 
     /// <summary>Shifts.</summary>
-    public static DxfMap Shift(Vector2 by) => new(new(1, 0), new(0, 1), Point2.Origin + by);
+    public static PlaneMap Shift(Vector2 by) => new(new(1, 0), new(0, 1), Point2.Origin + by);
 
     /// <summary>Rotates counterclockwise.</summary>
-    public static DxfMap Rotation(double degrees)
+    public static PlaneMap Rotation(double degrees)
     {
         // Quarter turns are exact, so that what is horizontal in a block stays so.
         var rest = Math.IEEERemainder(degrees, 360);
@@ -55,5 +55,5 @@ internal readonly record struct DxfMap(Vector2 X, Vector2 Y, Point2 Origin)
     public Vector2 Of(Vector2 v) => new((X.X * v.X) + (Y.X * v.Y), (X.Y * v.X) + (Y.Y * v.Y));
 
     /// <summary>This map after another.</summary>
-    public DxfMap After(in DxfMap first) => new(Of(first.X), Of(first.Y), Of(first.Origin));
+    public PlaneMap After(in PlaneMap first) => new(Of(first.X), Of(first.Y), Of(first.Origin));
 }
