@@ -22,6 +22,9 @@ public sealed record OutlineJob
     // In another unit, at least this share of the outline has to be cut before the unit is doubted.
     private const double LeastOther = 0.6;
 
+    // Of many layers, those with the longest outlines are listed and tried.
+    private const int MostListed = 24, MostTried = 8;
+
     // Rotations nearer than this to quarter turns are those, degrees: a meter is turned by 5 um. The key points say what that leaves.
     private const double QuarterDegrees = 0.0003;
 
@@ -100,7 +103,7 @@ public sealed record OutlineJob
         }
 
         var drawing = Drawing.Read(request.Drawing, request.UnitMm);
-        var layer = LayerOf(drawing, request.Layer);
+        var layer = LayerOf(drawing, request, cuts);
         var chains = Chains(drawing, layer);
         var elements = chains.SelectMany(c => c).ToArray();
         if (OutlineLaying.Of(elements, cuts, request.ToolDiameterMm / 2) is not { } laying)
@@ -143,20 +146,41 @@ public sealed record OutlineJob
     private static OutlineElement[][] Chains(Drawing drawing, string layer) =>
         [.. OutlineChain.Of([.. drawing.Curves.Where(c => c.Layer == layer)]).Select(c => OutlineElement.Of(c).ToArray())];
 
-    private static string LayerOf(Drawing drawing, string? layer)
+    // Which one mates is asked and not guessed, also where only one can be laid on the program: a piece has more than one outline.
+    private static string LayerOf(Drawing drawing, OutlineRequest request, CutPath cuts)
     {
-        var layers = string.Join(", ", drawing.Layers.Select(
-            l => $"{PrintedText.OneLine(l)} ({ReportNumber.Count(drawing.Curves.Count(c => c.Layer == l), "curve")})"));
-        if (layer is null)
+        var lengths = drawing.Curves.GroupBy(c => c.Layer, StringComparer.Ordinal).Select(g => (g.Key, Mm: g.Sum(c => c.LengthMm)))
+            .OrderByDescending(l => l.Mm).ToArray();
+        var longest = lengths.Take(MostListed).Select(l => l.Key).ToHashSet(StringComparer.Ordinal);
+        var layers = string.Join(", ", drawing.Layers.Where(longest.Contains).Select(l =>
+            $"{PrintedText.OneLine(l)} ({ReportNumber.Count(drawing.Curves.Count(c => c.Layer == l), "curve")}"
+                + $"{drawing.Places.GetValueOrDefault(l)})"));
+        layers += lengths.Length > MostListed ? $" and {ReportNumber.Count(lengths.Length - MostListed)} with shorter outlines" : "";
+        if (request.Layer is not { } name)
         {
             return drawing.Layers.Count == 1 ? drawing.Layers[0]
                 : throw InputException.At(
-                    "layer-missing", drawing.File, $"it has the layers {layers}. Name the one that mates by --layer.");
+                    "layer-missing",
+                    drawing.File,
+                    $"it has the layers {layers}. {Laid()}Name the one that mates by --layer.");
         }
 
-        return drawing.Layers.Contains(layer, StringComparer.Ordinal) ? layer
+        // A shell takes a # for the begin of a comment.
+        return drawing.Layers.Contains(name, StringComparer.Ordinal) ? name
+            : drawing.Layers.Contains("#" + name, StringComparer.Ordinal) ? "#" + name
             : throw InputException.At(
-                "layer-unknown", drawing.File, $"it has no curve on the layer {PrintedText.OneLine(layer)}; expected one of {layers}.");
+                "layer-unknown", drawing.File, $"it has no curve on the layer {PrintedText.OneLine(name)}; expected one of {layers}.");
+
+        string Laid()
+        {
+            string[] laid = [
+                .. lengths.Take(MostTried).Select(l => (Layer: l.Key, Share: ShareOf(l.Key))).Where(l => l.Share is not null)
+                    .Select(l => string.Create(CultureInfo.InvariantCulture, $"{PrintedText.OneLine(l.Layer)} ({l.Share:0 %})"))];
+            return laid.Length == 0 ? "" : $"On what the program cuts, these can be laid: {string.Join(", ", laid)}. ";
+        }
+
+        double? ShareOf(string layer) => OutlineLaying.Of(
+            [.. Chains(drawing, layer).SelectMany(c => c)], cuts, request.ToolDiameterMm / 2)?.CoveredShare;
     }
 
     // The same drawing in another unit may be what was meant: then that is said, and not taken.
@@ -164,8 +188,9 @@ public sealed record OutlineJob
     {
         foreach (var (mm, word) in new[] { (1.0, "mm"), (25.4, "inch") }.Where(u => Math.Abs(u.Item1 - drawing.Unit.Mm) > 1e-9))
         {
+            // In a smaller unit, two outlines may be one.
             OutlineElement[] other = [.. Chains(Drawing.Read(request.Drawing, mm), layer).SelectMany(c => c)];
-            if (OutlineLaying.Of(other, cuts, request.ToolDiameterMm / 2) is { CoveredShare: > LeastOther })
+            if (other.Length > 0 && OutlineLaying.Of(other, cuts, request.ToolDiameterMm / 2) is { CoveredShare: > LeastOther })
             {
                 var said = drawing.Unit.IsStated ? "says that its unit is" : "does not say its unit; it was tried as";
                 return new(
@@ -348,12 +373,13 @@ public sealed record OutlineJob
 
 /// <summary>A mating job that is wanted from a drawing and a program.</summary>
 /// <param name="Job">The job to write.</param>
-/// <param name="Drawing">The drawing.</param>
+/// <param name="Drawing">The drawing: a DXF or STEP file.</param>
 /// <param name="Program">The counterpart's program.</param>
 /// <param name="Dialect">The control that the program is written for: a built-in dialect, or a shop's dialect file.</param>
 public sealed record OutlineRequest(string Job, string Drawing, string Program, string Dialect)
 {
-    /// <summary>The layer with the outline that mates; null for the only one.</summary>
+    /// <summary>The layer with the outline that mates; null for the only one. In a STEP file it is a flat face: <c>#45</c> or
+    /// <c>45</c>.</summary>
     public string? Layer { get; init; }
 
     /// <summary>Diameter of the tool, mm; null to find it by the distance of the outline from the path.</summary>

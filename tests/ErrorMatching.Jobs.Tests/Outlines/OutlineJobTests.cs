@@ -11,11 +11,11 @@ namespace ErrorMatching.Jobs.Tests;
 public sealed class OutlineJobTests : IDisposable
 {
     // An outline without symmetry, and its program at 4 mm from it: the corners are where the offset lines meet, by hand.
-    private const string Program =
+    internal const string Program =
         "%\nO1\nN10 G21 G17 G40 G90 G54\nN20 G0 X-20. Y-4.\nN30 G1 Z-5. F200.\nN40 X44. F500.\nN50 Y14.\nN60 X30.\nN70 Y34.\nN80 X-4.\n"
             + "N90 Y-20.\nN100 G0 Z50.\nN110 M30\n%\n";
 
-    private static readonly Point2[] Outline = [new(0, 0), new(40, 0), new(40, 10), new(26, 10), new(26, 30), new(0, 30)];
+    internal static readonly Point2[] Outline = [new(0, 0), new(40, 0), new(40, 10), new(26, 10), new(26, 30), new(0, 30)];
 
     private readonly string _folder = Directory.CreateTempSubdirectory("outline").FullName;
 

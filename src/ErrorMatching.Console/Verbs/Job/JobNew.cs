@@ -15,11 +15,13 @@ internal sealed class JobNew : Verb
     private readonly Argument<string> _file = new("FILE") { Description = "The job to write. A file that exists is not overwritten." };
 
     private readonly Option<string> _outline = FileOption(
-        "--outline", "Of a mating job: the drawing (.dxf) with the outline that mates. It is laid on what --program cuts.");
+        "--outline",
+        "Of a mating job: the drawing (.dxf), or the model whose flat face it is (.stp, .step), with the outline that mates. It is laid on "
+            + "what --program cuts.");
 
     private readonly Option<string> _layer = new("--layer")
     {
-        Description = "The layer of the drawing with that outline. A drawing with one layer needs none.",
+        Description = "The layer of the drawing with that outline, or the flat face of the model (45 for #45). One needs no name.",
         HelpName = "NAME",
     };
 

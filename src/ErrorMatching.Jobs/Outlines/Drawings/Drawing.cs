@@ -1,3 +1,4 @@
+using ErrorMatching.Freeform;
 using ErrorMatching.Geometry;
 using ErrorMatching.Refusals;
 
@@ -13,15 +14,28 @@ internal sealed record Drawing(string File, DrawingUnit Unit, IReadOnlyList<Draw
     /// <summary>The names of its layers with curves, in the order of the file.</summary>
     public IReadOnlyList<string> Layers => [.. Curves.Select(c => c.Layer).Distinct(StringComparer.Ordinal)];
 
-    /// <summary>Reads a drawing, by its extension.</summary>
+    /// <summary>Where a layer is and what it is called, as the end of a sentence: <c> at Z 10 mm</c>. Layers of which nothing is known
+    /// are missing.</summary>
+    public IReadOnlyDictionary<string, string> Places { get; init; } = new Dictionary<string, string>();
+
+    /// <summary>Reads a drawing. A STEP file says itself that it is one; for others, the extension decides.</summary>
     /// <param name="file">The file.</param>
     /// <param name="unitMm">Millimeters in its unit, whatever it says itself; null if it says it.</param>
     /// <exception cref="InputException">It cannot be opened or read, or is of another kind.</exception>
-    public static Drawing Read(string file, double? unitMm) => Path.GetExtension(file).ToUpperInvariant() switch
+    public static Drawing Read(string file, double? unitMm)
     {
-        ".DXF" => DxfReader.Read(InputFile.Bytes(file, DxfLimits.MaxBytes), file, unitMm),
-        var other => throw InputException.At("not-a-drawing", file, $"\"{other}\" is no drawing that is read; expected a .dxf file."),
-    };
+        var extension = Path.GetExtension(file).ToUpperInvariant();
+        if (extension is not (".DXF" or ".STP" or ".STEP"))
+        {
+            throw InputException.At(
+                "not-a-drawing", file, $"\"{extension}\" is no drawing that is read; expected a .dxf, .stp or .step file.");
+        }
+
+        var bytes = InputFile.Bytes(file, Math.Max(DxfLimits.MaxBytes, FlatFaces.MaxBytes));
+        return extension != ".DXF" || FlatFaces.IsStep(bytes)
+            ? StepDrawing.Read(bytes, file, unitMm)
+            : DxfReader.Read(bytes, file, unitMm);
+    }
 }
 
 /// <summary>The length that the numbers of a drawing mean.</summary>
