@@ -11,7 +11,6 @@ public class NoMeasurementTests
     [InlineData(IgesStart, "an IGES file")]
     [InlineData("solid cover\n facet normal 0 0 1\n", "a mesh of triangles")]
     [InlineData("{\n  \"kind\": \"mating\"\n}\n", "a JSON document")]
-    [InlineData("ERRORMATCH PROBE PLAN 0123456789ABCDEF MM\nP1 C X1 Y2 Z3\n", "the log of a probing program")]
     [InlineData("%\nO1000(COVER)\nN10 G90 G54\n", "an NC program")]
     [InlineData("; COVER\nG90 G54\n", "an NC program")]
     [InlineData("N10 G17\nN20 G1 X5\n", "an NC program")]

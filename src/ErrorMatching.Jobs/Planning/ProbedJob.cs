@@ -84,7 +84,8 @@ public sealed record ProbedJob
             return new Refusal(
                 DatumNotProbed,
                 $"The point {datum} aligns the part and belongs to no feature, so that it is not known from which side to touch it. Set "
-                    + "the work offset of the part in the control, and take \"alignment\" and \"originCheck\" out of the job.").In(job.File);
+                    + "the work offset of the part in the control, and take \"alignment\" and \"originCheck\" out of the job.")
+                .In(job.File);
         }
 
         if ((wish.TouchZ ?? HalfDepth(path)) is not { } z)

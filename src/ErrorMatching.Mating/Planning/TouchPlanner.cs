@@ -208,13 +208,17 @@ public static class TouchPlanner
             : path.Refusal ?? FeatureMapper.Map(job, path, theoretical, out maps);
     }
 
-    private static Refusal NoRoom(JobFeature feature, string? label, double diameter) => new(
-        OutOfReach,
-        string.Create(
-            CultureInfo.InvariantCulture,
-            $"A ball of {diameter:0.###} mm has no room at {(label is null ? "an end" : $"the point {label}")} of {feature.Name}: it would touch the part elsewhere first. ")
-        + "Take a smaller ball, or move the point.",
-        new() { Feature = feature.Name });
+    private static Refusal NoRoom(JobFeature feature, string? label, double diameter)
+    {
+        var place = label is null ? "an end" : $"the point {label}";
+        return new(
+            OutOfReach,
+            string.Create(
+                CultureInfo.InvariantCulture,
+                $"A ball of {diameter:0.###} mm has no room at {place} of {feature.Name}: it would touch the part elsewhere first. Take a "
+                    + $"smaller ball, or move the point."),
+            new() { Feature = feature.Name });
+    }
 
     private static Refusal? Unreached(List<Element> elements) =>
         elements.Find(e => e.Reached.Count < e.LeastOwn) is { } element
@@ -327,11 +331,11 @@ public static class TouchPlanner
 
             if (BoundMm(count) > WantedMm)
             {
+                var why = count < most ? "More points tell hardly more" : IsLine ? "It has room for no more" : "It has no more key points";
                 notes.Add(string.Create(
                     CultureInfo.InvariantCulture,
-                    $"{Feature.Name}: {count} points tell ±{BoundMm(count):0.0000} mm at best, ±{WantedMm:0.0000} mm was wanted. "
-                        + $"{(count < most ? "More points tell hardly more" : IsLine ? "It has room for no more" : "It has no more key points")}: "
-                        + $"a better gauge would."));
+                    $"{Feature.Name}: {count} points tell ±{BoundMm(count):0.0000} mm at best, ±{WantedMm:0.0000} mm was wanted. {why}: a "
+                        + $"better gauge would."));
             }
 
             return count;

@@ -26,7 +26,7 @@ public sealed partial class ProbedJobTests
     public void The_log_says_where_the_part_is_and_nothing_but_measuring_moves_touch_it(string dialect)
     {
         using var folder = Copied();
-        var probed = Probed(folder, Stated with { Dialect = dialect, ToolNumber = dialect == "grbl" ? null : 9 });
+        var probed = Probed(folder, Stated with { Dialect = dialect });
         var part = new VirtualPart(DovetailGroove.Polygon(), Ball);
         part.Run(Path(probed), TopZ);
         Assert.Empty(part.Collisions);

@@ -110,8 +110,10 @@ internal sealed class JobPlanAnswer(PlannedJob planned, string? plan, string? jo
         var bound = prediction switch
         {
             { Parts: 0 } => "no part could be matched that was tried: see errormatch job check",
-            { BoundMm: { } mm } => string.Create(CultureInfo.InvariantCulture, $"the boundary will be known within ±{mm:0.0000} mm everywhere (95 %)"),
-            _ => "of some places nothing will be known: state the form error (\"formMm\") of lines with two points, or touch them more often",
+            { BoundMm: { } mm } => string.Create(
+                CultureInfo.InvariantCulture, $"the boundary will be known within ±{mm:0.0000} mm everywhere (95 %)"),
+            _ => "of some places nothing will be known: state the form error (\"formMm\") of lines with two points, or touch them more "
+                + "often",
         };
         var pair = planned.Job.Features.Any(f => f.GapMm > 0) && prediction.Assembles is { } chance
             ? string.Create(CultureInfo.InvariantCulture, $"; the pair goes together with {Math.Floor(100 * chance):0} %")
