@@ -67,6 +67,9 @@ internal sealed class CutPath
         }
     }
 
+    /// <summary>Length of its cuts, mm.</summary>
+    public double LengthMm => _motions.Sum(m => _path.Motions[m].PlaneLength);
+
     /// <summary>True if it cuts nothing in the plane XY of which it says where.</summary>
     public bool IsEmpty => _motions.Count == 0;
 

@@ -208,8 +208,8 @@ public sealed record OutlineJob
     private static Refusal NotLaid(OutlineRequest request, Drawing drawing, string layer, CutPath cuts) =>
         UnitOf(request, drawing, layer, cuts) ?? new(
             "outline-not-laid",
-            $"No way was found to lay the layer {PrintedText.OneLine(layer)} of {request.Drawing} on what {request.Program} cuts: less "
-                + "than half of it would be one tool radius from the path. Check the layer, the program and --tool-diameter.");
+            $"No way was found to lay the layer {PrintedText.OneLine(layer)} of {request.Drawing} on what {request.Program} cuts: too "
+                + "little of it would be one tool radius from the path. Check the layer, the program and --tool-diameter.");
 
     // A place of the outline stays where it is, so that a rounded turn does not shift what is far from the origin.
     private static RigidTransform2 Rounded(RigidTransform2 frame, Point2 pivot)

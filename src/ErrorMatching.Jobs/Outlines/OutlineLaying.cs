@@ -15,14 +15,18 @@ internal sealed record OutlineLaying(
     /// <summary>Farther from where the tool's radius puts it, a place of the outline is not cut by the program, mm.</summary>
     public const double CoverMm = 0.2;
 
-    // A laying that covers less of the outline is none.
+    // A laying that covers less of the outline is none, unless the program follows the outline nearly all of its way: a part may have other
+    // edges, too, which another program cuts.
     private const double LeastShare = 0.5;
+    private const double LeastOfPart = 0.2;
+    private const double LeastOfCut = 0.6;
 
     // The outline is sampled at this distance, and by no more places.
     private const double SampleMm = 1;
     private const int MostSamples = 400;
     private const int FewSamples = 48;
     private const int LeastOfFew = 20;
+    private const int LeastOfPlaces = 9;
     private const double RoughMm = 0.5;
 
     // Candidates that cover the most of few places are refined with all.
@@ -55,7 +59,7 @@ internal sealed record OutlineLaying(
     /// <param name="cuts">What the program cuts.</param>
     /// <param name="radiusMm">Radius of the tool; null to find it.</param>
     /// <returns>The way that covers the most, and of equal ones the one that moves the drawing least: without mirror, then by the least
-    /// rotation, then by the least shift. Null if none covers half of the outline.</returns>
+    /// rotation, then by the least shift. Null if none covers enough of the outline, or of the program's way.</returns>
     public static OutlineLaying? Of(IReadOnlyList<OutlineElement> elements, CutPath cuts, double? radiusMm)
     {
         var samples = Samples(elements);
@@ -70,7 +74,7 @@ internal sealed record OutlineLaying(
             .. found.OrderByDescending(f => Math.Round(f.CoveredShare, 2)).ThenBy(f => Math.Round(f.RmsMm, 3))
                 .ThenBy(f => f.Frame.Mirror != Mirror.None).ThenBy(f => Math.Round(Math.Abs(f.Frame.Rotation.Degrees), 3))
                 .ThenBy(f => f.Frame.Translation.Length)];
-        if (ordered is not [var best, ..] || best.CoveredShare < LeastShare)
+        if (ordered is not [var best, ..] || !IsEnough(best.CoveredShare, elements.Sum(e => e.LengthMm), cuts.LengthMm))
         {
             return null;
         }
@@ -79,6 +83,9 @@ internal sealed record OutlineLaying(
             o => o.CoveredShare > best.CoveredShare - 0.01 && o.RmsMm < best.RmsMm + 0.01 && !IsSame(o.Frame, best.Frame, samples));
         return best with { Others = others.Count() };
     }
+
+    private static bool IsEnough(double share, double outlineMm, double cutMm) =>
+        share >= LeastShare || (share >= LeastOfPart && share * outlineMm >= LeastOfCut * cutMm);
 
     /// <summary>How far a place of the outline is from where the program's tool leaves it; null if it is not cut, or only
     /// crossed.</summary>
@@ -116,9 +123,11 @@ internal sealed record OutlineLaying(
         IReadOnlyList<OutlineElement> elements, List<OutlinePlace> samples, CutPath cuts, Mirror mirror, double[] radii)
     {
         OutlinePlace[] few = [.. Enumerable.Range(0, FewSamples).Select(k => samples[(int)((long)k * samples.Count / FewSamples)])];
-        var candidates = radii.SelectMany(r => Candidates(elements, cuts, mirror, r).Select(f => (Frame: f, Radius: r)))
-            .Select(c => (c.Frame, c.Radius, Count: Count(c.Frame, few, cuts, c.Radius)))
-            .Where(c => c.Count >= LeastOfFew)
+        // Where the outline is longer than all cuts, fewer of its places can be cut.
+        var least = Math.Clamp((int)(LeastOfFew * cuts.LengthMm / elements.Sum(e => e.LengthMm)), LeastOfPlaces, LeastOfFew);
+        var candidates = radii.SelectMany(r => Candidates(elements, cuts, mirror, r, least < LeastOfFew).Select(f => (Frame: f, Radius: r)))
+            .Select(c => (c.Frame, c.Radius, Count: Count(c.Frame, few, cuts, c.Radius, least)))
+            .Where(c => c.Count >= least)
             .OrderByDescending(c => c.Count).ThenBy(c => Math.Abs(c.Frame.Rotation.Degrees)).ThenBy(c => c.Frame.Translation.Length);
         var taken = new List<RigidTransform2>();
         foreach (var (frame, radius, _) in candidates)
@@ -137,10 +146,10 @@ internal sealed record OutlineLaying(
         }
     }
 
-    private static int Count(RigidTransform2 frame, OutlinePlace[] samples, CutPath cuts, double radius)
+    private static int Count(RigidTransform2 frame, OutlinePlace[] samples, CutPath cuts, double radius, int least)
     {
         var count = 0;
-        for (var k = 0; k < samples.Length && count + samples.Length - k >= LeastOfFew; k++)
+        for (var k = 0; k < samples.Length && count + samples.Length - k >= least; k++)
         {
             count += LeftOver(frame, samples[k], cuts, radius, RoughMm, out _) is null ? 0 : 1;
         }
@@ -152,19 +161,20 @@ internal sealed record OutlineLaying(
         samples[0].At is var p && samples[samples.Count / 2].At is var q
             && one.Apply(p).DistanceTo(other.Apply(p)) < SameWayMm && one.Apply(q).DistanceTo(other.Apply(q)) < SameWayMm;
 
-    // As drawn; by two lines that are not parallel; by a line and an arc; by two arcs, or one.
+    // As drawn; by two lines that are not parallel; by a line and an arc; by two arcs, or one. Of an outline with edges that the program
+    // does not cut, more lines are tried: the longest may be among those.
     private static IEnumerable<RigidTransform2> Candidates(
-        IReadOnlyList<OutlineElement> elements, CutPath cuts, Mirror mirror, double radius)
+        IReadOnlyList<OutlineElement> elements, CutPath cuts, Mirror mirror, double radius, bool hasOtherEdges)
     {
         yield return new(mirror, default, Vector2.Zero);
         var turned = new RigidTransform2(mirror, default, Vector2.Zero);
-        var lines = elements.Where(e => e.Kind == OutlineElementKind.Line).OrderByDescending(e => e.LengthMm).Take(6)
+        var lines = elements.Where(e => e.Kind == OutlineElementKind.Line).OrderByDescending(e => e.LengthMm).Take(hasOtherEdges ? 12 : 6)
             .Select(e => (At: turned.Apply(e.From), Along: turned.Apply((e.To - e.From).Normalize()))).ToArray();
         var arcs = elements.SelectMany(e => e.Curves).OfType<DrawnArc>().OrderByDescending(a => a.LengthMm).Take(4)
             .Select(a => (Center: turned.Apply(a.Center), a.Radius)).ToArray();
         var (cutLines, cutArcs) = (cuts.Lines(), cuts.Arcs());
         var pairs = lines.SelectMany((a, i) => lines.Skip(i + 1).Select(b => (A: a, B: b)))
-            .Where(p => Math.Abs(p.A.Along.Dot(p.B.Along)) < ParallelCosine).Take(3);
+            .Where(p => Math.Abs(p.A.Along.Dot(p.B.Along)) < ParallelCosine).Take(hasOtherEdges ? 60 : 3);
         foreach (var (a, b) in pairs)
         {
             var angle = Elementary.Atan2(a.Along.Cross(b.Along), a.Along.Dot(b.Along));

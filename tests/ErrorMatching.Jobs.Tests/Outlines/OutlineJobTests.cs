@@ -4,6 +4,7 @@ using ErrorMatching.Geometry;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
 using ErrorMatching.Refusals;
+using ErrorMatching.Testing;
 
 namespace ErrorMatching.Jobs.Tests;
 
@@ -66,6 +67,28 @@ public sealed class OutlineJobTests : IDisposable
 
         // The outline moves a little, because the path does not close it.
         Assert.InRange(named.LargestMm, 0.015, 0.025);
+    }
+
+    // The sample's key as a plate 100 mm deep, its cam a straight line: a third of its edges is what the program cuts.
+    [Fact]
+    public void A_part_with_more_edges_than_the_program_cuts_is_laid_by_those_that_it_cuts()
+    {
+        var flank = 30 / Math.Sqrt(3);
+        Point2[] plate =
+        [
+            new(-100, -30), new(-40, -30), new(-40 - flank, 0), new(-34, 0), new(-22, -12), new(-10, 0), new(10, 0), new(36, 0),
+            new(40 + flank, 0), new(40, -30), new(100, -30), new(100, -130), new(-100, -130),
+        ];
+        var program = File.ReadAllText(Repository.PathTo("samples", "dovetail", "counterpart.nc"));
+        var moved = new RigidTransform2(Mirror.None, Angle.FromDegrees(90), new(300, 20));
+        var made = Made(Polygon([.. plate.Select(moved.Inverse().Apply)]), program, tool: 8);
+        Assert.InRange(made.CoveredShare, 0.25, 0.45);
+        Assert.All(plate, p => Assert.Equal(0, made.Frame.Apply(moved.Inverse().Apply(p)).DistanceTo(p), 0.002));
+
+        // The top from X-10 to the right is one line here, of which the longest stretch that is cut is N200.
+        Assert.Equal(
+            ["N100", "N120", "N140", "N160", "N180", "N200", "N950", "N970"],
+            made.Features.SelectMany(f => f.Blocks).Where(b => !b.Contains("..", StringComparison.Ordinal)));
     }
 
     [Fact]
