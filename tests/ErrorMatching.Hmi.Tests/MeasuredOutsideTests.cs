@@ -49,6 +49,7 @@ public sealed class MeasuredOutsideTests
         seat.SignIn(DemoCell.Setter).See("measured-4");
         Assert.Null(seat.Find("measured-2"));
         var overview = (OverviewViewModel)seat.Shell.Current!;
+        seat.WaitFor(() => overview.Waiting.Count == 1, "Something else waits, too.");
         Assert.Equal(("Counterparts measured outside their limits: 2", ""), (overview.Summary, overview.Counts));
         Assert.EndsWith(
             "\n1 more is outside its limits: it is marked in the list under Verification.",
