@@ -31,6 +31,9 @@ public sealed record ProbingMoves
     /// <summary>How the control calls the probe; null if the template loads it into the spindle.</summary>
     public ToolCall? Tool { get; init; }
 
+    /// <summary>Where the caller names that tool, for messages.</summary>
+    public string ToolKey { get; init; } = "measuring.tool";
+
     /// <summary>What nobody stated, in a few words each, such as <c>Z -5</c>: the program names them and stops before it moves. Empty if
     /// everything is stated.</summary>
     public IReadOnlyList<string> Assumed { get; init; } = [];

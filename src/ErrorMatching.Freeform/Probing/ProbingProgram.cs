@@ -64,7 +64,7 @@ public sealed class ProbingProgram
         ArgumentNullException.ThrowIfNull(moves);
         ArgumentNullException.ThrowIfNull(dialect);
         ArgumentNullException.ThrowIfNull(template);
-        template.CheckAsksFor(moves.Tool, "measuring.tool");
+        template.CheckAsksFor(moves.Tool, moves.ToolKey);
         template.CheckAsksForAssumed(moves.Assumed);
         var program = new ProbingProgram(moves, dialect, template, new(moves, job, order, dialect, template.File));
         program.Check();

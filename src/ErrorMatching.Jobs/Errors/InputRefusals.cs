@@ -19,12 +19,13 @@ public static class InputRefusals
     /// <summary>A measurement of the other piece.</summary>
     /// <param name="file">The file as the user or the job named it.</param>
     /// <param name="expected">The piece whose measurement is expected.</param>
-    public static InputException WrongPiece(string file, SourceSide expected)
+    /// <param name="by">What says so.</param>
+    public static InputException WrongPiece(string file, SourceSide expected, string by = "the job's rules of recognition")
     {
         var (found, wanted) = expected == SourceSide.Part ? ("counterpart", "part") : ("part", "counterpart");
         return new(Refusal.Of(
             WrongPieceCode,
-            $"a measurement of the {found} by the job's rules of recognition",
+            $"a measurement of the {found} by {by}",
             $"one of the {wanted}",
             new() { File = file }));
     }

@@ -36,6 +36,9 @@ public sealed record ProbedJob
     /// <summary>The program.</summary>
     public required ProbingProgram Program { get; init; }
 
+    /// <summary>True if the counterpart is touched, in the frame of its program; false for the part, in its own.</summary>
+    public required bool OfCounterpart { get; init; }
+
     /// <summary>The points in the order of touching, with their numbers in the log from 1.</summary>
     public required IReadOnlyList<PlannedPoint> Points { get; init; }
 
@@ -71,7 +74,18 @@ public sealed record ProbedJob
         files.Add(called.Opened);
         var (assumed, notes) = (new List<string>(), new List<string>());
         var diameter = wish.StylusDiameterMm ?? job.Gauge.StylusDiameterMm ?? Assumed(PlannedJob.AssumedStylusMm, "ball");
-        var planned = TouchPlanner.Own(job, path, theoretical, diameter, wish.ApproachMm ?? TouchPlanner.ApproachMm);
+        if ((wish.TouchZ ?? HalfDepth(path)) is not { } z)
+        {
+            return new Refusal(
+                HeightMissing,
+                $"{program} does not say how deep it cuts below Z0, so that a height to touch at cannot be taken from it. Give --z.");
+        }
+
+        z = wish.TouchZ ?? Assumed(z, "touch at Z");
+        var approach = wish.ApproachMm ?? TouchPlanner.ApproachMm;
+        var planned = wish.OfCounterpart
+            ? TouchPlanner.OwnOfCounterpart(job, path, theoretical, diameter, approach, z)
+            : TouchPlanner.Own(job, path, theoretical, diameter, approach);
         if (planned.Result is not { } plan)
         {
             return Outcome.Refused<ProbedJob>(InputRefusals.Of(planned.Refusals, job.File, program));
@@ -88,14 +102,6 @@ public sealed record ProbedJob
                 .In(job.File);
         }
 
-        if ((wish.TouchZ ?? HalfDepth(path)) is not { } z)
-        {
-            return new Refusal(
-                HeightMissing,
-                $"{program} does not say how deep it cuts below Z0, so that a height to touch at cannot be taken from it. Give --z.");
-        }
-
-        z = wish.TouchZ ?? Assumed(z, "touch at Z");
         var clearance = wish.ClearanceZ ?? Assumed(Math.Max(LeastClearanceMm, Highest(path)), "travel at Z");
         if (clearance <= z)
         {
@@ -114,7 +120,7 @@ public sealed record ProbedJob
             notes.Add(string.Create(
                 CultureInfo.InvariantCulture,
                 $"There is little room at {string.Join(", ", near)}: the measuring move starts {points.Min(p => p.ApproachMm):0.##} mm ")
-                + "from the part as designed. A part that stands out further is touched on the way down.");
+                + "from the piece as designed. One that stands out further is touched on the way down.");
         }
 
         if (diameter > 0 && wish.StylusDiameterMm is null && job.Gauge.StylusDiameterMm is null)
@@ -124,13 +130,14 @@ public sealed record ProbedJob
 
         var moves = new ProbingMoves
         {
-            Plan = TouchOrder.PlanOf(job, theoretical),
+            Plan = wish.OfCounterpart ? TouchOrder.PlanOfCounterpart(job, theoretical) : TouchOrder.PlanOf(job, theoretical),
             Touches = [.. points.Select((p, i) => TouchOf(i + 1, p, z, diameter / 2, overtravel))],
             ClearanceZ = clearance,
             StylusDiameterMm = diameter,
             ApproachMm = points.Max(p => p.ApproachMm),
             OvertravelMm = overtravel,
             FeedMmPerMin = wish.FeedMmPerMin ?? FeedMmPerMin,
+            ToolKey = "--tool",
             Tool = wish.ToolNumber is { } tool ? new ToolCall(tool, null, tool) : null,
             Assumed = assumed,
         };
@@ -138,6 +145,7 @@ public sealed record ProbedJob
         {
             Job = job,
             Program = ProbingProgram.Of(moves, job.Name, dialect, template, job.WorkOrder),
+            OfCounterpart = wish.OfCounterpart,
             Points = points,
             TouchZ = z,
             Notes = notes,
@@ -225,6 +233,9 @@ public sealed record ProbedJob
 /// <summary>What a caller states about a probing program. What is null is the job's, or assumed and told.</summary>
 public sealed record ProbeWish
 {
+    /// <summary>True to touch the counterpart instead of the part.</summary>
+    public bool OfCounterpart { get; init; }
+
     /// <summary>Diameter of the ball, mm.</summary>
     public double? StylusDiameterMm { get; init; }
 

@@ -158,30 +158,42 @@ public sealed class JobFiles
 
     private MeasurementFile Recognized(GivenFile file, SourceSide expected)
     {
-        var measurement = WithLabels(Measured(file, Job.Gauge.Format));
+        var measurement = WithLabels(Measured(file, Job.Gauge.Format), expected);
         return Job.Recognition is null || Job.Recognition.Decide(measurement) == expected
             ? measurement
             : throw InputRefusals.WrongPiece(file.File, expected);
     }
 
     // Labels of the job for a file that has other ones, or none.
-    private MeasurementFile WithLabels(MeasurementFile measurement) =>
-        measurement.Plan is { } plan ? measurement.InOrderOf(OrderOf(plan, measurement))
+    private MeasurementFile WithLabels(MeasurementFile measurement, SourceSide expected) =>
+        measurement.Plan is { } plan ? Probed(plan, measurement, expected)
         : measurement.IsByOrder ? measurement.InOrderOf(Order(measurement.Points.Count))
         : Job.Gauge.Labels is { } rule ? measurement.Renamed(rule, Job.NeededPoints)
         : measurement;
 
-    // The log of a probing program says for which points it was made.
-    private IReadOnlyList<string> OrderOf(string plan, MeasurementFile measurement)
+    // The log of a probing program says for which points it was made, and of which piece. The counterpart was touched where its program
+    // has it.
+    private MeasurementFile Probed(string plan, MeasurementFile measurement, SourceSide expected)
     {
         var theoretical = _theoretical ?? Theoretical();
-        return TouchOrder.PlanOf(Job, theoretical) is var expected && plan == expected ? TouchOrder.Labels(Job, theoretical)
-            : throw new InputException(Refusal.Of(
+        var (part, counterpart) = (TouchOrder.PlanOf(Job, theoretical), TouchOrder.PlanOfCounterpart(Job, theoretical));
+        if (plan != part && plan != counterpart)
+        {
+            throw new InputException(Refusal.Of(
                 "other-plan",
                 $"a log of the plan {PrintedText.OneLine(plan)}",
-                $"one of the plan {expected}, which is that of this job: its points, or their order, were others when the probing program "
-                    + "was made",
+                $"one of the plan {(expected == SourceSide.Part ? part : counterpart)}, which is that of this job: its points, or their "
+                    + "order, were others when the probing program was made",
                 new() { File = measurement.File, Line = 1, Column = 1 }));
+        }
+
+        if (plan == part != (expected == SourceSide.Part))
+        {
+            throw InputRefusals.WrongPiece(measurement.File, expected, "the plan in its first line");
+        }
+
+        var named = measurement.InOrderOf(TouchOrder.Labels(Job, theoretical));
+        return expected == SourceSide.Part ? named : named.Moved(Job.Counterpart.Frame.Inverse());
     }
 
     // The theoretical file may have more points than the job needs. The number of points tells whether all of them were measured.

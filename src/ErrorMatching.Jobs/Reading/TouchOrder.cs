@@ -23,9 +23,24 @@ internal static class TouchOrder
     }
 
     /// <summary>16 hexadecimal digits of the SHA-256 of the labels and their places as designed.</summary>
-    public static string PlanOf(MatingJob job, MeasurementFile theoretical)
+    public static string PlanOf(MatingJob job, MeasurementFile theoretical) => PlanOf(job, theoretical, "");
+
+    /// <summary>The same for the counterpart, which is touched in the frame of its program.</summary>
+    public static string PlanOfCounterpart(MatingJob job, MeasurementFile theoretical)
     {
-        var text = new StringBuilder();
+        var frame = job.Counterpart.Frame;
+        return PlanOf(
+            job,
+            theoretical,
+            string.Create(
+                CultureInfo.InvariantCulture,
+                $"counterpart,{frame.Mirror},{frame.Rotation.Degrees:0.000000},{frame.Translation.X:0.000000},"
+                    + $"{frame.Translation.Y:0.000000}\n"));
+    }
+
+    private static string PlanOf(MatingJob job, MeasurementFile theoretical, string head)
+    {
+        var text = new StringBuilder(head);
         foreach (var label in Labels(job, theoretical))
         {
             var at = theoretical[label].Position;

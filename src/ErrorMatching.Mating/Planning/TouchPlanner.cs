@@ -131,7 +131,7 @@ public static class TouchPlanner
         }
     }
 
-    /// <summary>The job's own key points, with their normals.</summary>
+    /// <summary>The job's own key points on the part, with their normals.</summary>
     /// <param name="job">The job.</param>
     /// <param name="path">The counterpart's program, interpreted.</param>
     /// <param name="theoretical">The key points as designed.</param>
@@ -148,6 +148,49 @@ public static class TouchPlanner
         }
 
         var reach = new ProbeReach(job, path, maps, stylusDiameterMm);
+        return OfMaps(
+            maps,
+            theoretical,
+            stylusDiameterMm,
+            (place, normal) => (place, -normal, reach.ApproachMm(place, -normal, approachMm)),
+            "it would touch the part elsewhere first");
+    }
+
+    /// <summary>The same on the counterpart: places and normals are in the program's frame, normals out of the counterpart's
+    /// material.</summary>
+    /// <param name="job">The job.</param>
+    /// <param name="path">The counterpart's program, interpreted.</param>
+    /// <param name="theoretical">The key points as designed.</param>
+    /// <param name="stylusDiameterMm">Diameter of the ball, mm.</param>
+    /// <param name="approachMm">Distance from the counterpart at which a measuring move starts where there is room, mm.</param>
+    /// <param name="touchZ">Height of the ball's center, mm.</param>
+    /// <returns>The plan, or the points that the ball cannot touch.</returns>
+    /// <exception cref="InputException">A key point is missing. A selector cannot be read.</exception>
+    public static Outcome<TouchPlan> OwnOfCounterpart(
+        MatingJob job, NcPath path, MeasurementFile theoretical, double stylusDiameterMm, double approachMm, double touchZ)
+    {
+        if (NotMapped(job, path, theoretical, out var maps) is { } cannot)
+        {
+            return cannot;
+        }
+
+        var (room, frame) = (new ClearedRoom(job, path, stylusDiameterMm, touchZ), job.Counterpart.Frame);
+        return OfMaps(
+            maps,
+            theoretical,
+            stylusDiameterMm,
+            (place, normal) => (
+                frame.Apply(place), frame.Apply(normal), room.ApproachMm(frame.Apply(place), frame.Apply(normal), approachMm)),
+            "the job's program does not clear that much beside it, so deep");
+    }
+
+    private static Outcome<TouchPlan> OfMaps(
+        IReadOnlyList<FeatureMap> maps,
+        MeasurementFile theoretical,
+        double stylusDiameterMm,
+        Func<Point2, Vector2, (Point2 Place, Vector2 Normal, double? ApproachMm)> touched,
+        string why)
+    {
         var (features, refusals) = (new List<PlannedFeature>(), new List<Refusal>());
         foreach (var map in maps)
         {
@@ -162,14 +205,14 @@ public static class TouchPlanner
 
         PlannedPoint Of(FeatureMap map, string label, int index)
         {
-            var place = ProjectedPoint.Of(theoretical[label], map.Feature.Plane, theoretical.File).Position;
-            var approach = reach.ApproachMm(place, -map.Normals[index], approachMm);
+            var (place, normal, approach) = touched(
+                ProjectedPoint.Of(theoretical[label], map.Feature.Plane, theoretical.File).Position, map.Normals[index]);
             if (approach is null)
             {
-                refusals.Add(NoRoom(map.Feature, label, stylusDiameterMm));
+                refusals.Add(NoRoom(map.Feature, label, stylusDiameterMm, why));
             }
 
-            return new(label, place, -map.Normals[index], TouchReason.Kept, approach ?? 0);
+            return new(label, place, normal, TouchReason.Kept, approach ?? 0);
         }
     }
 
@@ -208,15 +251,16 @@ public static class TouchPlanner
             : path.Refusal ?? FeatureMapper.Map(job, path, theoretical, out maps);
     }
 
-    private static Refusal NoRoom(JobFeature feature, string? label, double diameter)
+    private static Refusal NoRoom(
+        JobFeature feature, string? label, double diameter, string why = "it would touch the part elsewhere first")
     {
         var place = label is null ? "an end" : $"the point {label}";
         return new(
             OutOfReach,
             string.Create(
                 CultureInfo.InvariantCulture,
-                $"A ball of {diameter:0.###} mm has no room at {place} of {feature.Name}: it would touch the part elsewhere first. Take a "
-                    + $"smaller ball, or move the point."),
+                $"A ball of {diameter:0.###} mm has no room at {place} of {feature.Name}: {why}. Take a smaller ball, or "
+                    + $"move the point."),
             new() { Feature = feature.Name });
     }
 

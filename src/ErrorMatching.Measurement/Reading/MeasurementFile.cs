@@ -1,4 +1,5 @@
 using System.Globalization;
+using ErrorMatching.Geometry;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Measurement;
@@ -100,6 +101,18 @@ public sealed class MeasurementFile
                     CultureInfo.InvariantCulture,
                     $"{labels.Count}, one for each point in the order of the job: measure all of them once, and nothing else"));
     }
+
+    /// <summary>The same measurement in another frame of the plane XY.</summary>
+    /// <param name="transform">From the file's frame to that frame.</param>
+    public MeasurementFile Moved(RigidTransform2 transform) => new(
+        _source,
+        _content with
+        {
+            Points = [.. Points.Select(p => transform.Apply(new Point2(p.Position.X, p.Position.Y)) is var at
+                ? p with { Position = new(at.X, at.Y, p.Position.Z) }
+                : p)],
+            Nominals = [],
+        });
 
     /// <summary>The same measurement with the labels of a job.</summary>
     /// <param name="rule">The rule by which the file's labels follow from the job's.</param>

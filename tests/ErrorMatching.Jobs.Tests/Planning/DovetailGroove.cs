@@ -27,9 +27,8 @@ internal static class DovetailGroove
     /// <summary>How far a key point was found off along its normal, mm.</summary>
     public static double OffMm(ReportKeyPoint point) => (point.Actual - point.Theoretical).Dot(point.Normal);
 
-    /// <summary>The material of the groove, in its own frame.</summary>
-    /// <param name="share">The share of the displacement.</param>
-    public static IReadOnlyList<Point2> Polygon(double share = 1)
+    /// <summary>The material of the groove, in its own frame; of a key with the same boundary, the material below it.</summary>
+    public static IReadOnlyList<Point2> Polygon(bool ofKey = false)
     {
         var (half, deep) = (Math.Sqrt(3) / 2, -30.0);
         (Point2 At, Vector2 Along)[] lines =
@@ -64,9 +63,9 @@ internal static class DovetailGroove
         points.Add(Crossing(last[0], last[1]));
         points.Add(Crossing(last[1], last[2]));
         points.Add(last[2].At);
-        return [.. points, new(200, 100), new(-200, 100)];
+        return [.. points, new(200, ofKey ? -100 : 100), new(-200, ofKey ? -100 : 100)];
 
-        double D(string feature) => share * DisplacedMm[feature];
+        double D(string feature) => DisplacedMm[feature];
 
         // Along the boundary with the key's material on the right, so that its tool is on the left.
         (Point2 At, Vector2 Along) Moved(string feature, Point2 at, Vector2 along) => (at + (along.Left * D(feature)), along);

@@ -1,5 +1,8 @@
+using System.Globalization;
 using System.Text;
 using System.Text.RegularExpressions;
+using ErrorMatching.Geometry;
+using ErrorMatching.Mating;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 using ErrorMatching.Testing;
@@ -18,16 +21,23 @@ public sealed partial class ProbedJobTests
     private static readonly ProbeWish Stated = new() { StylusDiameterMm = Ball, TouchZ = -5, ClearanceZ = 25, ToolNumber = 9 };
 
     [Theory]
-    [InlineData("fanuc")]
-    [InlineData("siemens-840d")]
-    [InlineData("linuxcnc")]
-    [InlineData("haas")]
-    [InlineData("grbl")]
-    public void The_log_says_where_the_part_is_and_nothing_but_measuring_moves_touch_it(string dialect)
+    [InlineData("fanuc", false)]
+    [InlineData("siemens-840d", false)]
+    [InlineData("linuxcnc", false)]
+    [InlineData("haas", false)]
+    [InlineData("grbl", false)]
+    [InlineData("fanuc", true)]
+    public void The_log_says_where_the_part_is_and_nothing_but_measuring_moves_touch_it(string dialect, bool isMirrored)
     {
         using var folder = Copied();
+        if (isMirrored)
+        {
+            Mirror(folder);
+        }
+
         var probed = Probed(folder, Stated with { Dialect = dialect });
-        var part = new VirtualPart(DovetailGroove.Polygon(), Ball);
+        var material = DovetailGroove.Polygon();
+        var part = new VirtualPart(isMirrored ? [.. material.Select(p => new Point2(-p.X, p.Y))] : material, Ball);
         part.Run(Path(probed), TopZ);
         Assert.Empty(part.Collisions);
         Assert.Equal(28, part.Touches.Count);
@@ -72,6 +82,58 @@ public sealed partial class ProbedJobTests
         var theoretical = File.ReadAllText(folder["theoretical.csv"]);
         File.WriteAllText(folder["theoretical.csv"], theoretical.Replace("1,-76.8660", "1,-76.8650", StringComparison.Ordinal));
         Assert.Equal("other-plan", Assert.Throws<InputException>(() => Matched(folder, "job.json", "probe.log")).Code);
+    }
+
+    // The key is probed as it was cut, turned and moved against the drawing of the part.
+    [Fact]
+    public void The_counterpart_is_touched_from_the_other_side_and_verified_against_the_part()
+    {
+        using var folder = Copied();
+        WithBall(folder);
+        var frame = new RigidTransform2(Geometry.Mirror.X, Angle.FromDegrees(30), new(5, -3));
+        File.WriteAllText(
+            folder["job.json"],
+            File.ReadAllText(folder["job.json"]).Replace(
+                "\"mirror\": \"none\", \"rotateDeg\": 0, \"translateMm\": [0, 0]",
+                "\"mirror\": \"x\", \"rotateDeg\": 30, \"translateMm\": [5, -3]",
+                StringComparison.Ordinal));
+        var lines = File.ReadAllLines(folder["theoretical.csv"]);
+        var turned = lines.Select((l, i) => i == 0 ? l : Turned(l.Split(',')));
+        File.WriteAllLines(folder["theoretical.csv"], turned);
+        File.WriteAllText(folder["part.csv"], File.ReadAllText(folder["theoretical.csv"]) + "\n");
+        var probed = Probed(folder, Stated with { OfCounterpart = true });
+        var key = new VirtualPart(DovetailGroove.Polygon(ofKey: true), Ball);
+        key.Run(Path(probed), TopZ);
+        Assert.Empty(key.Collisions);
+        File.WriteAllText(folder["probe.log"], key.Log(probed.Program.Moves.Plan));
+
+        var files = new JobFiles(folder["job.json"]);
+        var (theoretical, part, after) = (files.Theoretical(), files.Part(null), files.Counterpart(new(folder["probe.log"])));
+        var (program, bytes) = files.Program(null);
+        var report = VerifyRun.Report(new(files.Job, theoretical, part, null, after, program, bytes), out var refusals);
+        Assert.Empty(refusals);
+        Assert.Equal(28, report!.Result.Points.Count);
+        var features = files.Job.Features.SelectMany(f => f.Points.Select(p => (p, f.Name))).ToDictionary(StringComparer.Ordinal);
+        Assert.All(
+            report.Result.Points, p => Assert.Equal(DovetailGroove.DisplacedMm[features[p.Label]], p.AfterError.NormalMm, RoundedMm));
+
+        // Of the part it is no measurement, and a ball thicker than the tool has no room.
+        Assert.Equal("wrong-piece", Assert.Throws<InputException>(() => files.Part(new(folder["probe.log"]))).Code);
+        // Deeper than the program cut, less the ball, nothing was cleared: the program cuts to Z-10.
+        foreach (var wish in new[] { Stated with { StylusDiameterMm = 9 }, Stated with { TouchZ = -9 } })
+        {
+            var refused = ProbedJob.Of(
+                folder["job.json"], wish with { OfCounterpart = true }, TestContext.Current.CancellationToken).Refusals;
+            Assert.NotEmpty(refused);
+            Assert.All(refused, r => Assert.Equal("out-of-reach", r.Code));
+        }
+
+        string Turned(string[] cells)
+        {
+            var at = frame.Inverse().Apply(new Point2(
+                double.Parse(cells[1], CultureInfo.InvariantCulture), double.Parse(cells[2], CultureInfo.InvariantCulture)));
+            return string.Create(CultureInfo.InvariantCulture, $"{cells[0]},{at.X:0.000000},{at.Y:0.000000}");
+        }
     }
 
     [Fact]
@@ -153,6 +215,19 @@ public sealed partial class ProbedJobTests
             new JobFiles(folder[job]), new() { Part = new(folder[log]) }, TestContext.Current.CancellationToken);
         Assert.True(run.IsUsable, run.Refusal?.ToString());
         return run.Result;
+    }
+
+    // The part as its own drawing has it, where the program has its mirror image.
+    private static void Mirror(TemporaryFolder folder)
+    {
+        File.WriteAllText(
+            folder["job.json"],
+            File.ReadAllText(folder["job.json"]).Replace("\"mirror\": \"none\"", "\"mirror\": \"x\"", StringComparison.Ordinal));
+        var lines = File.ReadAllLines(folder["theoretical.csv"]);
+        File.WriteAllLines(folder["theoretical.csv"], lines.Select((l, i) => i == 0 ? l : Mirrored(l.Split(','))));
+
+        static string Mirrored(string[] cells) =>
+            $"{cells[0]},{(cells[1].StartsWith('-') ? cells[1][1..] : "-" + cells[1])},{cells[2]}";
     }
 
     private static void WithBall(TemporaryFolder folder) => File.WriteAllText(

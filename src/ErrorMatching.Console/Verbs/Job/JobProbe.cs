@@ -11,6 +11,13 @@ internal sealed class JobProbe : Verb
     private readonly Option<string> _out = FileOption(
         "--out", "The folder to write probe.nc to (or with the ending of the job's program). Without it nothing is written.");
 
+    private readonly Option<string> _piece = new("--piece")
+    {
+        Description = "The piece to touch: the part, or the counterpart that was cut.",
+        DefaultValueFactory = _ => "part",
+        HelpName = "part|counterpart",
+    };
+
     private readonly Option<double?> _stylus = ProbeOptions.Stylus();
     private readonly Option<double?> _z = ProbeOptions.Height(
         "--z", "Height at which the center of the ball touches. Without it: half as deep as the program cuts, which is told.");
@@ -49,11 +56,13 @@ internal sealed class JobProbe : Verb
             "errormatch job probe samples/dovetail/job.json --stylus-diameter 3 --out out")
     {
         Arguments.Add(_job);
-        foreach (var option in new Option[] { _out, _stylus, _z, _clearance, _approach, _overtravel, _feed, _tool, _dialect, _template })
+        Option[] options = [_out, _piece, _stylus, _z, _clearance, _approach, _overtravel, _feed, _tool, _dialect, _template];
+        foreach (var option in options)
         {
             Options.Add(option);
         }
 
+        _piece.AcceptOnlyFromAmong("part", "counterpart");
         _tool.Validators.Add(result =>
         {
             if (result.GetValueOrDefault<int?>() is { } number && number is < 1 or > 99_999)
@@ -69,6 +78,7 @@ internal sealed class JobProbe : Verb
             arguments.GetRequiredValue(_job),
             new()
             {
+                OfCounterpart = arguments.GetValue(_piece) == "counterpart",
                 StylusDiameterMm = arguments.GetValue(_stylus),
                 TouchZ = arguments.GetValue(_z),
                 ClearanceZ = arguments.GetValue(_clearance),

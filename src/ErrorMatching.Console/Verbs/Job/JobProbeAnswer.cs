@@ -12,10 +12,13 @@ internal sealed class JobProbeAnswer(ProbedJob probed, string? written) : Docume
 {
     public override string Schema => "errormatch/job-probe/1";
 
+    private string Piece => probed.OfCounterpart ? "counterpart" : "part";
+
     public override void WriteJson(Utf8JsonWriter json)
     {
         var moves = probed.Program.Moves;
         json.WriteString("job", probed.Job.File);
+        json.WriteString("piece", Piece);
         json.WriteString("dialect", probed.Program.Dialect.Name);
         json.WriteString("template", probed.Program.Template.File);
         json.WriteString("plan", moves.Plan);
@@ -60,10 +63,12 @@ internal sealed class JobProbeAnswer(ProbedJob probed, string? written) : Docume
         page.Line();
         page.Line(string.Create(
             CultureInfo.InvariantCulture,
-            $"The center of a ball of {moves.StylusDiameterMm:0.###} mm moves at Z{probed.TouchZ:0.###}, from outside of the part along "
+            $"The center of a ball of {moves.StylusDiameterMm:0.###} mm moves at Z{probed.TouchZ:0.###}, from outside of the {Piece} along "
                 + $"its normal, and travels at Z{moves.ClearanceZ:0.###}. A miss of {moves.OvertravelMm:0.###} mm stops the control."));
-        page.Line("X and Y are those of the part as designed: set its work offset (G54) there, and the length of the probe to the center "
-            + "of its ball. The shank must not be thicker than the ball.");
+        page.Line((probed.OfCounterpart
+            ? "X and Y are those of the counterpart's program: touch it in the work offset (G54) in which it was cut. "
+            : "X and Y are those of the part as designed: set its work offset (G54) there. ")
+            + "The length of the probe is to the center of its ball; the shank must not be thicker than the ball.");
         page.Line($"Template {probed.Program.Template.File}: {probed.Program.Template.About}");
         if (moves.Assumed.Count > 0)
         {
@@ -79,6 +84,9 @@ internal sealed class JobProbeAnswer(ProbedJob probed, string? written) : Docume
         page.Line("No machine of ours has run it: make the first run with reduced feed, a hand on the stop.");
         page.Line(written is null
             ? $"Nothing was written. Add --out DIR to write {probed.FileName}."
-            : $"Wrote {written}. Next: run it, fetch its log, then: errormatch match {probed.Job.File} --part LOG --out DIR");
+            : $"Wrote {written}. Next: run it, fetch its log, then: "
+                + (probed.OfCounterpart
+                    ? $"errormatch verify {probed.Job.File} --before BEFORE --after LOG"
+                    : $"errormatch match {probed.Job.File} --part LOG --out DIR"));
     }
 }

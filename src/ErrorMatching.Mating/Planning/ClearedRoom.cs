@@ -1,0 +1,93 @@
+using ErrorMatching.Geometry;
+using ErrorMatching.Nc;
+
+namespace ErrorMatching.Mating;
+
+/// <summary>Whether the ball of a probe has room beside the counterpart: only where the counterpart's own program cleared all of it, from
+/// its lowest point up. What other programs cleared is not known.</summary>
+public sealed class ClearedRoom
+{
+    // Rounding of a program's words.
+    private const double LeastMm = 0.01;
+    private const double StepMm = 0.1;
+
+    private static readonly double[] _shares = [1, 0.75, 0.5, 0.25];
+
+    private readonly List<(Segment2 Segment, Arc2? Arc)> _centers = [];
+    private readonly double _toolRadiusMm;
+    private readonly double _ballRadiusMm;
+    private readonly double _mapMm;
+
+    /// <summary>Looks at what a program clears.</summary>
+    /// <param name="job">The job.</param>
+    /// <param name="path">The counterpart's program, interpreted.</param>
+    /// <param name="stylusDiameterMm">Diameter of the ball, mm.</param>
+    /// <param name="touchZ">Height of the ball's center, mm.</param>
+    public ClearedRoom(MatingJob job, NcPath path, double stylusDiameterMm, double touchZ)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        ArgumentNullException.ThrowIfNull(path);
+        (_toolRadiusMm, _ballRadiusMm, _mapMm) = (job.Counterpart.ToolDiameterMm / 2, stylusDiameterMm / 2, job.Counterpart.MapMm);
+        var bottom = touchZ - _ballRadiusMm + LeastMm;
+        foreach (var motion in path.Motions)
+        {
+            if (motion is { IsCut: true, IsKnownInPlane: true, MovesInPlane: true } && motion.Plane == CoordinatePlane.XY
+                && !motion.Has(
+                    MotionFlags.Transformed | MotionFlags.BadArc | MotionFlags.CompensationLeft | MotionFlags.CompensationRight)
+                && ((motion.UnknownStart | motion.UnknownEnd) & AxisSet.Z) == AxisSet.None
+                && Math.Max(motion.Start.Z, motion.End.Z) <= bottom)
+            {
+                _centers.Add((motion.Segment, motion.IsArc ? motion.Arc : null));
+            }
+        }
+
+        // Under cutter compensation the control says where the tool's center goes.
+        if (CompensatedPath.Concerns(path) && CompensatedPath.Of(path) is { Refusal: null } compensated)
+        {
+            foreach (var motion in compensated.Motions)
+            {
+                var (start, end) = (motion.Plane.Project(motion.Start), motion.Plane.Project(motion.End));
+                if (motion.IsCompensated && motion.Plane == CoordinatePlane.XY && (motion.IsArc || start != end)
+                    && motion.UnknownEnd == AxisSet.None && Math.Max(motion.Start.Z, motion.End.Z) <= bottom)
+                {
+                    _centers.Add((
+                        new(start, end),
+                        motion.IsArc ? Arc2.Between(start, end, motion.Center, motion.Kind == MotionKind.ArcCounterClockwise) : null));
+                }
+            }
+        }
+    }
+
+    /// <summary>The distance from the counterpart at which a measuring move can start, mm; null if the ball has no room at the point
+    /// itself.</summary>
+    /// <param name="place">The point as designed, in the program's frame.</param>
+    /// <param name="normal">Unit normal out of the counterpart's material.</param>
+    /// <param name="wantedMm">The distance that is wanted.</param>
+    public double? ApproachMm(Point2 place, Vector2 normal, double wantedMm)
+    {
+        // What the program cuts differently from the outline at the point is no obstacle.
+        var beside = Math.Abs(DistanceMm(place) - _toolRadiusMm);
+        if (beside > _mapMm)
+        {
+            return null;
+        }
+
+        var allowed = _toolRadiusMm - _ballRadiusMm + LeastMm + beside;
+        foreach (var share in _shares)
+        {
+            var approach = share * wantedMm;
+            var steps = (int)Math.Ceiling(approach / StepMm);
+            if (Enumerable.Range(0, steps + 1).All(
+                k => DistanceMm(place + (normal * (_ballRadiusMm + (approach * k / steps)))) <= allowed))
+            {
+                return approach;
+            }
+        }
+
+        return null;
+    }
+
+    private double DistanceMm(Point2 place) => _centers.Count == 0
+        ? double.PositiveInfinity
+        : _centers.Min(c => c.Arc?.DistanceTo(place) ?? c.Segment.DistanceTo(place));
+}
