@@ -90,7 +90,7 @@ public sealed class WaitingInLineTests
         seat.WaitFor(
             () => overview.Waiting is [{ Id: 2, Severity: Severity.Quiet, State: "Approved · Waits for its slot, now used by #1." }],
             "It is not said what it waits for.");
-        Assert.Equal(("At the machine", Severity.Quiet), (overview.Slots[0].State, overview.Slots[0].Severity));
+        seat.WaitFor(() => overview.Slots[0] is { State: "At the machine", Severity: Severity.Quiet }, "Its slot is not told.");
         seat.Cell.FinishPiece();
         seat.WaitFor(
             () => overview.IsNothingWaiting && overview.Slots[0].Detail.StartsWith("Complex mating · #2", StringComparison.Ordinal),

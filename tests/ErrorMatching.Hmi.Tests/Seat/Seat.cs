@@ -16,6 +16,9 @@ internal sealed class Seat : IAsyncDisposable
     /// <summary>Generous: a test waits for the event and not for the clock.</summary>
     public static readonly TimeSpan Patience = TimeSpan.FromSeconds(60);
 
+    // A station without a connection sees nothing new, however long one waits.
+    private static readonly TimeSpan CatchUp = TimeSpan.FromSeconds(3);
+
     // Made once for all tests of a process.
     private static readonly Lazy<string> Template = new(() =>
     {
@@ -174,12 +177,17 @@ internal sealed class Seat : IAsyncDisposable
         return this;
     }
 
-    /// <summary>Waits until a correction has come so far.</summary>
+    /// <summary>Waits until a correction has come so far, and the station has seen it: what it shows is always a little older.</summary>
     public Correction WaitFor(long id, CorrectionState state)
     {
         WaitFor(() => Station.Store.Find(id)?.State == state, $"Correction {id} does not become {state}.");
+        var since = System.Diagnostics.Stopwatch.StartNew();
+        WaitFor(() => IsSeen() || since.Elapsed > CatchUp, "");
         return Station.Store.Find(id)!;
     }
+
+    private bool IsSeen() => Station.State.Status is not { } seen
+        || CellStatus.Of(Station.Settings, Station.Store, Clock).Counts.All(c => seen.CountOf(c.Key) == c.Value);
 
     public async ValueTask DisposeAsync()
     {
