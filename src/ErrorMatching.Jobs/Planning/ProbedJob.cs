@@ -16,6 +16,12 @@ public sealed record ProbedJob
     /// <summary>Code of the refusal of a height that nobody stated and the program does not tell.</summary>
     public const string HeightMissing = "height-missing";
 
+    /// <summary>Code of the refusal of a counterpart that was cut in another work offset than the templates select.</summary>
+    public const string OtherWorkOffset = "other-work-offset";
+
+    // G54, as frames count.
+    private const int SelectedOffset = 540;
+
     // Without a word from the caller: a slow measuring move, and travel where the program travels, but not close to the piece.
     private const double FeedMmPerMin = 100;
     private const double LeastClearanceMm = 5;
@@ -74,6 +80,16 @@ public sealed record ProbedJob
         files.Add(called.Opened);
         var (assumed, notes) = (new List<string>(), new List<string>());
         var diameter = wish.StylusDiameterMm ?? job.Gauge.StylusDiameterMm ?? Assumed(PlannedJob.AssumedStylusMm, "ball");
+        if (wish.OfCounterpart && wish.Template is null && OtherOffset(path) is { } other)
+        {
+            return new Refusal(
+                OtherWorkOffset,
+                $"{path.Program.NameOf(path.Program[other])} cuts in another work offset than G54, or with a shift of it: the built-in "
+                    + "templates touch in G54 as it is, which would be beside the counterpart. Give a --template of your own that selects "
+                    + "what the program selects.",
+                new() { File = program, Line = other + 1, Block = path.Program.NameOf(path.Program[other]) });
+        }
+
         if ((wish.TouchZ ?? HalfDepth(path)) is not { } z)
         {
             return new Refusal(
@@ -85,7 +101,7 @@ public sealed record ProbedJob
         var approach = wish.ApproachMm ?? TouchPlanner.ApproachMm;
         var planned = wish.OfCounterpart
             ? TouchPlanner.OwnOfCounterpart(job, path, theoretical, diameter, approach, z)
-            : TouchPlanner.Own(job, path, theoretical, diameter, approach);
+            : TouchPlanner.Own(job, path, theoretical, diameter, approach, z);
         if (planned.Result is not { } plan)
         {
             return Outcome.Refused<ProbedJob>(InputRefusals.Of(planned.Refusals, job.File, program));
@@ -197,6 +213,22 @@ public sealed record ProbedJob
             var place = point.Place + (point.Normal * off);
             return new(place.X, place.Y, z);
         }
+    }
+
+    // The first block that cuts elsewhere than in G54.
+    private static int? OtherOffset(NcPath path)
+    {
+        foreach (var motion in path.Motions)
+        {
+            if (motion is { IsCut: true, MovesInPlane: true } && path.Frames[motion.Frame] is var frame
+                && (frame.WorkOffset != SelectedOffset || frame.WorkOffsetNumber != 0 || frame.Shift != Vector3.Zero
+                    || frame.UnknownShift != AxisSet.None))
+            {
+                return motion.Block;
+            }
+        }
+
+        return null;
     }
 
     // Half as deep as the program cuts below its zero.

@@ -25,15 +25,17 @@ public sealed class ProbeReach
     /// <param name="path">The counterpart's program, interpreted.</param>
     /// <param name="maps">The features mapped onto it.</param>
     /// <param name="stylusDiameterMm">Diameter of the ball, mm.</param>
-    public ProbeReach(MatingJob job, NcPath path, IReadOnlyList<FeatureMap> maps, double stylusDiameterMm)
+    /// <param name="touchZ">Height of the ball's center, mm; null if it is not known yet.</param>
+    public ProbeReach(MatingJob job, NcPath path, IReadOnlyList<FeatureMap> maps, double stylusDiameterMm, double? touchZ = null)
     {
         ArgumentNullException.ThrowIfNull(job);
         ArgumentNullException.ThrowIfNull(path);
         ArgumentNullException.ThrowIfNull(maps);
         (_frame, StylusRadiusMm) = (job.Counterpart.Frame, stylusDiameterMm / 2);
 
-        // What is cut above all features, such as the face of the piece, says nothing about their boundary.
+        // What is cut above all features and above the ball, such as the face of the piece, says nothing about their boundary.
         var top = maps.Max(m => m.Passes.Min(p => FeaturePass.Moving(path, p.First, p.Last).Min(i => Lowest(path.Motions[i]))));
+        top = Math.Max(top, touchZ ?? top);
         for (var i = 0; i < path.Motions.Length; i++)
         {
             var motion = path.Motions[i];

@@ -137,17 +137,18 @@ public static class TouchPlanner
     /// <param name="theoretical">The key points as designed.</param>
     /// <param name="stylusDiameterMm">Diameter of the ball, mm.</param>
     /// <param name="approachMm">Distance from the part at which a measuring move starts where there is room, mm.</param>
+    /// <param name="touchZ">Height of the ball's center, mm.</param>
     /// <returns>The plan, or the points that the ball cannot touch.</returns>
     /// <exception cref="InputException">A key point is missing. A selector cannot be read.</exception>
     public static Outcome<TouchPlan> Own(
-        MatingJob job, NcPath path, MeasurementFile theoretical, double stylusDiameterMm, double approachMm)
+        MatingJob job, NcPath path, MeasurementFile theoretical, double stylusDiameterMm, double approachMm, double touchZ)
     {
         if (NotMapped(job, path, theoretical, out var maps) is { } cannot)
         {
             return cannot;
         }
 
-        var reach = new ProbeReach(job, path, maps, stylusDiameterMm);
+        var reach = new ProbeReach(job, path, maps, stylusDiameterMm, touchZ);
         return OfMaps(
             maps,
             theoretical,

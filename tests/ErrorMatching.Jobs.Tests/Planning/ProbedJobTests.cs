@@ -136,6 +136,43 @@ public sealed partial class ProbedJobTests
         }
     }
 
+    // In G54 the probe would go down beside a counterpart that was cut in G55, or shifted.
+    [Theory]
+    [InlineData("N20 G54", "N20 G55")]
+    [InlineData("N20 G54", "N20 G54\nG52 X10.")]
+    public void A_counterpart_in_another_work_offset_takes_a_template_that_selects_it(string selected, string other)
+    {
+        using var folder = Copied();
+        File.WriteAllText(
+            folder["counterpart.nc"], File.ReadAllText(folder["counterpart.nc"]).Replace(selected, other, StringComparison.Ordinal));
+        var wish = Stated with { OfCounterpart = true };
+        var refusal = ProbedJob.Of(folder["job.json"], wish, TestContext.Current.CancellationToken).Refusal!;
+        Assert.Equal("other-work-offset", refusal.Code);
+        File.WriteAllText(
+            folder["own.txt"],
+            "@body\nG17 G21 G90 G94 G55\n@each point\nG0 X{approach.x}\nG31 X{overtravel.x} F{feed.measuring}\n@next\nM30\n");
+        Assert.Equal(28, Probed(folder, wish with { ToolNumber = null, Template = folder["own.txt"] }).Points.Count);
+        Assert.Equal(28, Probed(folder, Stated).Points.Count);
+    }
+
+    // The counterpart has a pocket of 3 mm depth beside its shoulder, at X-66 Y-36: what of the part may stand in it is not known.
+    [Theory]
+    [InlineData(-2, true)]
+    [InlineData(-5, false)]
+    public void Where_something_else_is_cleared_at_the_height_of_the_ball_nothing_is_touched(double z, bool isRefused)
+    {
+        using var folder = Copied();
+        File.WriteAllText(
+            folder["counterpart.nc"],
+            File.ReadAllText(folder["counterpart.nc"]).Replace(
+                "N50 G0 X-92. Y-10.",
+                "N41 G0 X-85. Y-36.\nN42 G1 Z-3. F250.\nN43 X-50.\nN44 G0 Z25.\nN50 G0 X-92. Y-10.",
+                StringComparison.Ordinal));
+        var outcome = ProbedJob.Of(folder["job.json"], Stated with { TouchZ = z }, TestContext.Current.CancellationToken);
+        Assert.Equal(isRefused, !outcome.IsUsable);
+        Assert.All(outcome.Refusals, r => Assert.Equal(("out-of-reach", "L1"), (r.Code, r.Place.Feature)));
+    }
+
     [Fact]
     public void What_nobody_stated_stands_in_the_program_before_a_stop_and_before_the_first_move()
     {
