@@ -16,6 +16,9 @@ public sealed record ProbedJob
     /// <summary>Code of the refusal of a height that nobody stated and the program does not tell.</summary>
     public const string HeightMissing = "height-missing";
 
+    /// <summary>Code of the refusal of a ball that is another one than the job's, by which a match takes centers for contacts.</summary>
+    public const string StylusDiffers = "stylus-differs";
+
     /// <summary>Code of the refusal of a counterpart that was cut in another work offset than the templates select.</summary>
     public const string OtherWorkOffset = "other-work-offset";
 
@@ -78,6 +81,17 @@ public sealed record ProbedJob
         var called = files.Called();
         var path = NcInterpreter.Run(NcProgram.Read(text), job.Counterpart.DialectOf(own), called.Find, cancellation);
         files.Add(called.Opened);
+        if (wish.StylusDiameterMm is { } given && job.Gauge.StylusDiameterMm is { } ofJob && given != ofJob)
+        {
+            return new Refusal(
+                StylusDiffers,
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"--stylus-diameter is {given} mm, and the gauge of the job has a ball of {ofJob} mm: the match would put every "
+                        + $"contact {Math.Abs(given - ofJob) / 2:0.####} mm off. Correct one of them."))
+                .In(job.File);
+        }
+
         var (assumed, notes) = (new List<string>(), new List<string>());
         var diameter = wish.StylusDiameterMm ?? job.Gauge.StylusDiameterMm ?? Assumed(PlannedJob.AssumedStylusMm, "ball");
         if (wish.OfCounterpart && wish.Template is null && OtherOffset(path) is { } other)
@@ -139,7 +153,7 @@ public sealed record ProbedJob
                 + "from the piece as designed. One that stands out further is touched on the way down.");
         }
 
-        if (diameter > 0 && wish.StylusDiameterMm is null && job.Gauge.StylusDiameterMm is null)
+        if (job.Gauge.StylusDiameterMm is null)
         {
             notes.Add("Write \"stylusDiameterMm\" under \"gauge\" before the match: the log has the centers of the ball.");
         }

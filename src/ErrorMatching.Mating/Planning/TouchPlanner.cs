@@ -379,8 +379,8 @@ public static class TouchPlanner
                 var why = count < most ? "More points tell hardly more" : IsLine ? "It has room for no more" : "It has no more key points";
                 notes.Add(string.Create(
                     CultureInfo.InvariantCulture,
-                    $"{Feature.Name}: {count} points tell ±{BoundMm(count):0.0000} mm at best, ±{WantedMm:0.0000} mm was wanted. {why}: a "
-                        + $"better gauge would."));
+                    $"{Feature.Name}: {count} points tell ±{BoundMm(count):0.0000} mm at best, ±{WantedMm:0.0000} mm was wanted. {why}: "
+                        + $"a better gauge would."));
             }
 
             return count;

@@ -120,8 +120,14 @@ public sealed partial class ProbedJobTests
         // Of the part it is no measurement, and a ball thicker than the tool has no room.
         Assert.Equal("wrong-piece", Assert.Throws<InputException>(() => files.Part(new(folder["probe.log"]))).Code);
         // Deeper than the program cut, less the ball, nothing was cleared: the program cuts to Z-10.
-        foreach (var wish in new[] { Stated with { StylusDiameterMm = 9 }, Stated with { TouchZ = -9 } })
+        foreach (var wish in new[] { Stated with { TouchZ = -9 }, Stated with { StylusDiameterMm = 9 } })
         {
+            File.WriteAllText(
+                folder["job.json"],
+                File.ReadAllText(folder["job.json"]).Replace(
+                    "\"stylusDiameterMm\": 3",
+                    FormattableString.Invariant($"\"stylusDiameterMm\": {wish.StylusDiameterMm}"),
+                    StringComparison.Ordinal));
             var refused = ProbedJob.Of(
                 folder["job.json"], wish with { OfCounterpart = true }, TestContext.Current.CancellationToken).Refusals;
             Assert.NotEmpty(refused);
@@ -134,6 +140,20 @@ public sealed partial class ProbedJobTests
                 double.Parse(cells[1], CultureInfo.InvariantCulture), double.Parse(cells[2], CultureInfo.InvariantCulture)));
             return string.Create(CultureInfo.InvariantCulture, $"{cells[0]},{at.X:0.000000},{at.Y:0.000000}");
         }
+    }
+
+    // The log has centers, and the match makes contacts of them by the job's ball.
+    [Fact]
+    public void Another_ball_than_the_job_s_is_refused_and_one_that_the_job_lacks_is_asked_for()
+    {
+        using var folder = Copied();
+        Assert.Contains(Probed(folder, Stated).Notes, n => n.Contains("stylusDiameterMm", StringComparison.Ordinal));
+        WithBall(folder);
+        Assert.Empty(Probed(folder, Stated).Notes);
+        var refusal = ProbedJob.Of(
+            folder["job.json"], Stated with { StylusDiameterMm = 4 }, TestContext.Current.CancellationToken).Refusal!;
+        Assert.Equal("stylus-differs", refusal.Code);
+        Assert.Contains("every contact 0.5 mm off", refusal.Message, StringComparison.Ordinal);
     }
 
     // In G54 the probe would go down beside a counterpart that was cut in G55, or shifted.
