@@ -9,9 +9,6 @@ public sealed class ClearedRoom
 {
     // Rounding of a program's words.
     private const double LeastMm = 0.01;
-    private const double StepMm = 0.1;
-
-    private static readonly double[] _shares = [1, 0.75, 0.5, 0.25];
 
     private readonly List<(Segment2 Segment, Arc2? Arc)> _centers = [];
     private readonly double _toolRadiusMm;
@@ -73,18 +70,7 @@ public sealed class ClearedRoom
         }
 
         var allowed = _toolRadiusMm - _ballRadiusMm + LeastMm + beside;
-        foreach (var share in _shares)
-        {
-            var approach = share * wantedMm;
-            var steps = (int)Math.Ceiling(approach / StepMm);
-            if (Enumerable.Range(0, steps + 1).All(
-                k => DistanceMm(place + (normal * (_ballRadiusMm + (approach * k / steps)))) <= allowed))
-            {
-                return approach;
-            }
-        }
-
-        return null;
+        return MeasuringMove.ApproachMm(wantedMm, off => DistanceMm(place + (normal * (_ballRadiusMm + off))) <= allowed);
     }
 
     private double DistanceMm(Point2 place) => _centers.Count == 0

@@ -11,12 +11,6 @@ public sealed class ProbeReach
     // Rounding of a program's words, and a little of what the program cuts differently from the outline.
     private const double LeastMm = 0.01;
 
-    // A measuring move is looked at in steps of this length, mm.
-    private const double StepMm = 0.1;
-
-    // Tried in turn where there is less room, as shares of the wanted approach.
-    private static readonly double[] _shares = [1, 0.75, 0.5, 0.25];
-
     private readonly List<(Segment2 Segment, Arc2? Arc, double RadiusMm)> _cuts = [];
     private readonly RigidTransform2 _frame;
 
@@ -68,22 +62,9 @@ public sealed class ProbeReach
             return null;
         }
 
-        foreach (var share in _shares)
-        {
-            var (approach, isFree) = (share * wantedMm, true);
-            var steps = Math.Max(1, (int)Math.Ceiling(approach / StepMm));
-            for (var k = 1; k <= steps && isFree; k++)
-            {
-                isFree = RoomMm(_frame.Apply(place + (normal * (StylusRadiusMm + (approach * k / steps))))) >= Math.Min(lacks, 0) - LeastMm;
-            }
-
-            if (isFree)
-            {
-                return approach;
-            }
-        }
-
-        return null;
+        return MeasuringMove.ApproachMm(
+            wantedMm,
+            off => RoomMm(_frame.Apply(place + (normal * (StylusRadiusMm + off)))) >= Math.Min(lacks, 0) - LeastMm);
     }
 
     // Between the ball and what the tool cleared; negative where they overlap.
