@@ -50,14 +50,19 @@ public sealed class ProbingTemplate : ProgramTemplate
 
     /// <summary>The built-in template for a dialect: its own, or the one of its family for a shop's own dialect.</summary>
     /// <exception cref="InputException">There is none (<c>unknown-template</c>).</exception>
-    public static ProbingTemplate For(NcDialect dialect)
+    public static ProbingTemplate For(NcDialect dialect) => Named(NameFor(dialect));
+
+    /// <summary>The same; null if there is none.</summary>
+    public static ProbingTemplate? Find(NcDialect dialect) => NameFor(dialect) is var name && Names.Contains(name) ? Named(name) : null;
+
+    private static string NameFor(NcDialect dialect)
     {
         ArgumentNullException.ThrowIfNull(dialect);
-        return Named(dialect.Files.Count == 0 ? dialect.Name == "haas" ? "fanuc" : dialect.Name
+        return dialect.Files.Count == 0 ? dialect.Name == "haas" ? "fanuc" : dialect.Name
             : dialect.Syntax == NcSyntax.Siemens ? "siemens-840d"
             : dialect.Syntax == NcSyntax.LinuxCnc ? "linuxcnc"
             : dialect.MeaningOf("DPRNT"u8) == NcMeaning.Harmless ? "fanuc"
-            : dialect.Name);
+            : dialect.Name;
     }
 
     /// <summary>The text of a built-in template, as a start for a shop's own.</summary>

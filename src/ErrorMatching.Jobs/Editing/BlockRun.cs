@@ -25,12 +25,8 @@ public static class BlockRun
         var files = new JobFiles(job);
         var theoretical = files.Theoretical();
         theoretical.Require(job.KeyPoints);
-        var (program, text) = files.Program(null);
-        var dialect = job.Counterpart.DialectOf(files.OwnDialect());
-        cancellation.ThrowIfCancellationRequested();
-
-        // Interpreted as a match does it.
-        var path = NcInterpreter.Run(NcProgram.Read(text), dialect, files.Called().Find, cancellation);
+        var interpreted = files.Interpret(cancellation);
+        var (program, path) = (interpreted.File, interpreted.Path);
         if (path.Refusal is { } refusal)
         {
             return refusal.In(program);

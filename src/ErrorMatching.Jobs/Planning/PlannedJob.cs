@@ -3,7 +3,6 @@ using System.Text;
 using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
-using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Jobs;
@@ -73,23 +72,19 @@ public sealed record PlannedJob
         string file, string folder, double? stylusDiameterMm, double? withinMm, CancellationToken cancellation)
     {
         var bytes = InputFile.Open(file, p => JsonInput.Load(p));
-        var files = new JobFiles(file);
+        var files = new JobFiles(MatingJob.Parse(bytes, PathText.Of(file)));
         var job = files.Job;
         var theoretical = files.Theoretical();
-        var (program, text) = files.Program(null);
-        var dialect = files.OwnDialect();
-        var called = files.Called();
-        var path = NcInterpreter.Run(NcProgram.Read(text), job.Counterpart.DialectOf(dialect), called.Find, cancellation);
-        files.Add(called.Opened);
+        var program = files.Interpret(cancellation);
         var diameter = stylusDiameterMm ?? job.Gauge.StylusDiameterMm;
         var target = Path.Combine(folder, FileOf(file));
         PlannedJob? best = null;
         foreach (var share in withinMm is null ? [1] : OfWanted)
         {
-            var outcome = TouchPlanner.Choose(job, path, theoretical, diameter ?? AssumedStylusMm, share * withinMm);
+            var outcome = TouchPlanner.Choose(job, program.Path, theoretical, diameter ?? AssumedStylusMm, share * withinMm);
             if (outcome.Result is not { } plan)
             {
-                return Outcome.Refused<PlannedJob>(InputRefusals.Of(outcome.Refusals, job.File, program));
+                return Outcome.Refused<PlannedJob>(InputRefusals.Of(outcome.Refusals, job.File, program.File));
             }
 
             if (best is not null && plan.Points.Count() <= best.Plan.Points.Count())
@@ -128,10 +123,10 @@ public sealed record PlannedJob
             cancellation.ThrowIfCancellationRequested();
             var nominal = MeasurementReader.Read(points, PlanFile, MeasurementFormat.Points);
             return PlanPrediction.Of(
-                new(MatingJob.Parse(written, target), nominal, nominal, null, program, text)
+                new(MatingJob.Parse(written, target), nominal, nominal, null, program.File, program.Bytes)
                 {
-                    OwnDialect = dialect,
-                    Library = called.Find,
+                    OwnDialect = program.OwnDialect,
+                    Library = program.Called.Find,
                 },
                 planned);
         }

@@ -76,11 +76,8 @@ public sealed record ProbedJob
         var files = new JobFiles(file);
         var job = files.Job;
         var theoretical = files.Theoretical();
-        var (program, text) = files.Program(null);
-        var own = files.OwnDialect();
-        var called = files.Called();
-        var path = NcInterpreter.Run(NcProgram.Read(text), job.Counterpart.DialectOf(own), called.Find, cancellation);
-        files.Add(called.Opened);
+        var interpreted = files.Interpret(cancellation);
+        var (program, path) = (interpreted.File, interpreted.Path);
         if (wish.StylusDiameterMm is { } given && job.Gauge.StylusDiameterMm is { } ofJob && given != ofJob)
         {
             return new Refusal(
@@ -94,7 +91,8 @@ public sealed record ProbedJob
 
         var (assumed, notes) = (new List<string>(), new List<string>());
         var diameter = wish.StylusDiameterMm ?? job.Gauge.StylusDiameterMm ?? Assumed(PlannedJob.AssumedStylusMm, "ball");
-        if (wish.OfCounterpart && wish.Template is null && OtherOffset(path) is { } other)
+        var isBuiltIn = wish.Template is not { } named || ProbingTemplate.Names.Contains(named);
+        if (wish.OfCounterpart && isBuiltIn && OtherOffset(path) is { } other)
         {
             return new Refusal(
                 OtherWorkOffset,
@@ -142,7 +140,7 @@ public sealed record ProbedJob
                     $"The ball would travel at Z{clearance:0.###}, not above Z{z:0.###} where it touches. Give a higher --clearance."));
         }
 
-        var (dialect, template) = Template(wish, job, own, files, assumed);
+        var (dialect, template) = Template(wish, job, interpreted.OwnDialect, files, assumed);
         PlannedPoint[] points = [.. order.Select(l => byLabel[l])];
         var overtravel = wish.OvertravelMm ?? job.Compensation.LimitMm + BehindMm;
         if (points.Where(p => p.ApproachMm < ShortApproachMm).Select(p => p.Label).ToArray() is { Length: > 0 } near)
@@ -205,7 +203,12 @@ public sealed record ProbedJob
             return (dialect, ProbingTemplate.Parse(InputFile.Bytes(template, ProbingTemplate.MaxBytes), template));
         }
 
-        if (ProbingTemplate.Names.Contains(dialect.Name) || dialect.Files.Count > 0 || dialect.Name == "haas" || !dialect.HasCodes)
+        if (ProbingTemplate.Find(dialect) is { } found)
+        {
+            return (dialect, found);
+        }
+
+        if (!dialect.HasCodes || dialect.Files.Count > 0)
         {
             return (dialect, ProbingTemplate.For(dialect));
         }

@@ -156,6 +156,19 @@ public sealed class JobFiles
         }
     }
 
+    /// <summary>The counterpart's program, interpreted as a match does it.</summary>
+    /// <exception cref="InputException">The program, one that it calls, or the job's own dialect cannot be used.</exception>
+    /// <exception cref="OperationCanceledException">Canceled.</exception>
+    internal JobProgram Interpret(CancellationToken cancellation)
+    {
+        var (file, bytes) = Program(null);
+        var (own, called) = (OwnDialect(), Called());
+        cancellation.ThrowIfCancellationRequested();
+        var path = NcInterpreter.Run(NcProgram.Read(bytes), Job.Counterpart.DialectOf(own), called.Find, cancellation);
+        Add(called.Opened);
+        return new(file, bytes, own, called, path);
+    }
+
     private MeasurementFile Recognized(GivenFile file, SourceSide expected)
     {
         var measurement = WithLabels(Measured(file, Job.Gauge.Format), expected);

@@ -168,6 +168,9 @@ public sealed partial class ProbedJobTests
         var wish = Stated with { OfCounterpart = true };
         var refusal = ProbedJob.Of(folder["job.json"], wish, TestContext.Current.CancellationToken).Refusal!;
         Assert.Equal("other-work-offset", refusal.Code);
+        wish = wish with { Template = "fanuc-p98xx" };
+        refusal = ProbedJob.Of(folder["job.json"], wish, TestContext.Current.CancellationToken).Refusal!;
+        Assert.Equal("other-work-offset", refusal.Code);
         File.WriteAllText(
             folder["own.txt"],
             "@body\nG17 G21 G90 G94 G55\n@each point\nG0 X{approach.x}\nG31 X{overtravel.x} F{feed.measuring}\n@next\nM30\n");
