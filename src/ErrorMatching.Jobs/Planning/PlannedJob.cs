@@ -20,9 +20,6 @@ public sealed record PlannedJob
     /// <summary>Diameter of the ball that is assumed if nobody states one, mm: the largest in common use, which reaches least.</summary>
     public const double AssumedStylusMm = 6;
 
-    // What is known at each place is known better than what is known of all places together: tried in turn, until all are within.
-    private static readonly double[] OfWanted = [1, 0.75, 0.55, 0.4, 0.3];
-
     // The normal of a point that only aligns is not known.
     private const string Datum = "datum";
 
@@ -40,10 +37,10 @@ public sealed record PlannedJob
     public required bool IsStylusAssumed { get; init; }
 
     /// <summary>What the plan will tell.</summary>
-    public required PlanPrediction Prediction { get; init; }
+    public PlanPrediction Prediction => Plan.Prediction!;
 
     /// <summary>What the plan with two points less will tell; null if each point is needed.</summary>
-    public required PlanPrediction? TwoLess { get; init; }
+    public PlanPrediction? TwoLess => Plan.TwoLess?.Prediction;
 
     /// <summary>The table of points.</summary>
     public required ReadOnlyMemory<byte> Table { get; init; }
@@ -63,7 +60,7 @@ public sealed record PlannedJob
     /// <param name="folder">The folder that the planned job is for.</param>
     /// <param name="stylusDiameterMm">Diameter of the ball, mm; null for the job's.</param>
     /// <param name="withinMm">Half the 95 % interval of the error anywhere along the boundary that is wanted, mm; null for a fifth of what
-    /// the limits allow at each place.</param>
+    /// the limits of each feature allow.</param>
     /// <param name="cancellation">Cancels between steps.</param>
     /// <returns>The plan, or why there is none.</returns>
     /// <exception cref="InputException">A file cannot be opened or used.</exception>
@@ -78,57 +75,31 @@ public sealed record PlannedJob
         var program = files.Interpret(cancellation);
         var diameter = stylusDiameterMm ?? job.Gauge.StylusDiameterMm;
         var target = Path.Combine(folder, FileOf(file));
-        PlannedJob? best = null;
-        foreach (var share in withinMm is null ? [1] : OfWanted)
-        {
-            var outcome = TouchPlanner.Choose(job, program.Path, theoretical, diameter ?? AssumedStylusMm, share * withinMm);
-            if (outcome.Result is not { } plan)
-            {
-                return Outcome.Refused<PlannedJob>(InputRefusals.Of(outcome.Refusals, job.File, program.File));
-            }
-
-            if (best is not null && plan.Points.Count() <= best.Plan.Points.Count())
-            {
-                continue;
-            }
-
-            var (table, document) = Written(plan);
-            best = new PlannedJob
+        var outcome = TouchPlanner.Choose(job, program.Path, theoretical, diameter ?? AssumedStylusMm, withinMm, Predicted);
+        return outcome.Result is not { } plan
+            ? Outcome.Refused<PlannedJob>(InputRefusals.Of(outcome.Refusals, job.File, program.File))
+            : new PlannedJob
             {
                 Job = job,
                 Plan = plan,
                 IsStylusAssumed = diameter is null,
-                Prediction = Predicted(plan, table, document),
-                TwoLess = null,
-                Table = table,
-                Document = document,
+                Table = TableOf(job, plan, theoretical),
+                Document = DocumentOf(bytes, job, plan, target),
                 Read = files.Read,
             };
-            if (best.Prediction.BoundMm <= withinMm)
-            {
-                break;
-            }
-        }
 
-        return best! with
-        {
-            TwoLess = best.Plan.TwoLess is { } less && Written(less) is var (t, d) ? Predicted(less, t, d) : null,
-        };
-
-        (byte[] Table, byte[] Document) Written(TouchPlan planned) =>
-            (TableOf(job, planned, theoretical), DocumentOf(bytes, job, planned, target));
-
-        PlanPrediction Predicted(TouchPlan planned, byte[] points, byte[] written)
+        PlanPrediction Predicted(TouchPlan planned, int parts)
         {
             cancellation.ThrowIfCancellationRequested();
-            var nominal = MeasurementReader.Read(points, PlanFile, MeasurementFormat.Points);
+            var nominal = MeasurementReader.Read(TableOf(job, planned, theoretical), PlanFile, MeasurementFormat.Points);
             return PlanPrediction.Of(
-                new(MatingJob.Parse(written, target), nominal, nominal, null, program.File, program.Bytes)
+                new(MatingJob.Parse(DocumentOf(bytes, job, planned, target), target), nominal, nominal, null, program.File, program.Bytes)
                 {
                     OwnDialect = program.OwnDialect,
                     Library = program.Called.Find,
                 },
-                planned);
+                planned,
+                parts);
         }
     }
 

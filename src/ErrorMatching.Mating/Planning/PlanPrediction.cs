@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Runtime.ExceptionServices;
 using System.Text;
 using ErrorMatching.Geometry;
 using ErrorMatching.Measurement;
@@ -12,15 +13,21 @@ namespace ErrorMatching.Mating;
 /// do not tell it somewhere.</param>
 /// <param name="Assembles">The probability that the pair goes together, on average; null if the outline says nothing of it.</param>
 /// <param name="Parts">The number of parts that could be matched.</param>
-public sealed record PlanPrediction(double? BoundMm, double? Assembles, int Parts)
+/// <param name="Features">The features in the order of the job.</param>
+public sealed record PlanPrediction(double? BoundMm, double? Assembles, int Parts, IReadOnlyList<PlannedBound> Features)
 {
-    // The median of so many is within a tenth of the bound.
-    private const int Draws = 16;
+    /// <summary>Parts that are drawn for what is told: the median of so many is within a tenth of the bound.</summary>
+    public const int Draws = 16;
 
     private const ulong Seed = 0x5DEECE66D1234567;
 
     // Without limits a part deviates by so much, mm.
     private const double WithoutLimitsMm = 0.05;
+
+    // The form of a part before it is measured: over how much of a curve deviations are alike, mm (half waves of 45 mm), and how large they
+    // are, as a part of half the width of the limits; the same of a line, as a part of its length, and of the uncertainty of a point.
+    private const double CurveMm = 15, OfHalfWidth = 0.25;
+    private const double LinePart = 0.25, OfUncertainty = 0.5;
 
     // Cosines of which a stationary course is made (Rahimi and Recht 2007).
     private const int Waves = 24;
@@ -28,8 +35,9 @@ public sealed record PlanPrediction(double? BoundMm, double? Assembles, int Part
     /// <summary>Predicts what a plan will tell.</summary>
     /// <param name="input">A match of the planned job; its measured part is not looked at.</param>
     /// <param name="plan">The plan of the job.</param>
+    /// <param name="parts">The number of parts to draw.</param>
     /// <exception cref="InputException">As <see cref="Matcher.Match"/>.</exception>
-    public static PlanPrediction Of(MatchInput input, TouchPlan plan)
+    public static PlanPrediction Of(MatchInput input, TouchPlan plan, int parts = Draws)
     {
         ArgumentNullException.ThrowIfNull(input);
         ArgumentNullException.ThrowIfNull(plan);
@@ -37,27 +45,41 @@ public sealed record PlanPrediction(double? BoundMm, double? Assembles, int Part
         // Whatever the job makes of it, a plan is judged by how well the part is known, and the whole of it followed.
         var compensation = input.Job.Compensation with { From = CompensationSource.Part, Amount = CompensationAmount.Whole, Gain = 1 };
         input = input with { Job = input.Job with { Compensation = compensation }, Counterpart = null };
-        var (bounds, chances, isKnown, count) = (new List<double>(), new List<double>(), true, 0);
-        for (var draw = 0; draw < Draws; draw++)
+        var results = new MatchResult?[parts];
+        try
         {
-            if (Match(input with { Part = Drawn(input, plan, (ulong)draw) }) is not { } result)
-            {
-                continue;
-            }
-
-            count++;
-            var worst = result.Prediction.Features.Select(f => f.WorstBetween).OfType<PredictedError>().ToArray();
-            isKnown &= worst.All(w => w.IsKnown);
-            bounds.Add(worst.Select(w => w.Interval95Mm).Concat(
-                result.Prediction.Features.SelectMany(f => f.Points).Select(p => p.Interval95Mm)).Max());
-            if (result.Pair is { } pair)
-            {
-                chances.Add(pair.Probability);
-            }
+            Parallel.For(0, parts, draw => results[draw] = Match(input with { Part = Drawn(input, plan, (ulong)draw) }));
+        }
+        catch (AggregateException exception)
+        {
+            ExceptionDispatchInfo.Throw(exception.InnerExceptions[0]);
         }
 
-        bounds.Sort();
-        return new(isKnown && count > 0 ? bounds[count / 2] : null, chances.Count > 0 ? chances.Average() : null, count);
+        MatchResult[] matched = [.. results.OfType<MatchResult>()];
+        PlannedBound[][] told = [.. matched.Select(r => r.Prediction.Features.Select(PlannedBound.Of).ToArray())];
+        double[] chances = [.. matched.Select(r => r.Pair?.Probability).OfType<double>()];
+        return new(
+            PlannedBound.Median([.. told.Select(PlannedBound.Largest)])?.BoundMm,
+            chances.Length > 0 ? chances.Average() : null,
+            matched.Length,
+            [.. input.Job.Features.Select((_, f) => PlannedBound.Median([.. told.Select(t => t[f])]) ?? new(null, null))]);
+    }
+
+    /// <summary>The form error of an element before it is measured, as an estimate takes it: its variance, and the length over which it is
+    /// correlated.</summary>
+    /// <param name="isLine">True for a line, false for a curve.</param>
+    /// <param name="lengthMm">Length of the element, mm.</param>
+    /// <param name="halfWidthMm">Half the width of its limits, mm; 0 without any.</param>
+    /// <param name="uncertaintyMm">Standard uncertainty of a point, mm.</param>
+    /// <param name="statedMm">The form error that the job states, mm; null for none.</param>
+    internal static (double VarianceMm2, double LengthMm) FormOf(
+        bool isLine, double lengthMm, double halfWidthMm, double uncertaintyMm, double? statedMm)
+    {
+        var (formMm, alikeMm) = isLine
+            ? (OfUncertainty * uncertaintyMm, LinePart * lengthMm)
+            : (OfHalfWidth * (halfWidthMm > 0 ? halfWidthMm : WithoutLimitsMm), CurveMm);
+        formMm = statedMm ?? formMm;
+        return (formMm * formMm, alikeMm);
     }
 
     private static MatchResult? Match(MatchInput input)
@@ -89,9 +111,7 @@ public sealed record PlanPrediction(double? BoundMm, double? Assembles, int Part
             foreach (var list in planned.Lists)
             {
                 var (shift, tilt) = (part.Next() * half, part.Next() * half / 2);
-                var form = feature.Kind.IsStraight || isWhole
-                    ? Course(TouchPlanner.OfUncertainty * u / 2, TouchPlanner.LinePart * LengthOf(list), part)
-                    : Course(TouchPlanner.OfHalfWidth * half, TouchPlanner.CurveMm, part);
+                var form = Course(FormOf(feature.Kind.IsStraight || isWhole, LengthOf(list), half, u, feature.FormMm), part);
                 var (along, length) = (0.0, LengthOf(list));
                 for (var i = 0; i < list.Count; i++)
                 {
@@ -125,8 +145,9 @@ public sealed record PlanPrediction(double? BoundMm, double? Assembles, int Part
         list.Zip(list.Skip(1)).Sum(p => p.First.Place.DistanceTo(p.Second.Place));
 
     // A course whose values at two places have the covariance of an estimate's form error, on average over the draws.
-    private static Func<double, double> Course(double sigmaMm, double lengthMm, NormalVariates part)
+    private static Func<double, double> Course((double VarianceMm2, double LengthMm) form, NormalVariates part)
     {
+        var (sigmaMm, lengthMm) = (Math.Sqrt(form.VarianceMm2), form.LengthMm);
         (double Size, double Frequency)[] waves = [
             .. Enumerable.Range(0, Waves).Select(_ => (part.Next() * sigmaMm / Math.Sqrt(Waves), part.Next() / Math.Max(lengthMm, 1e-3)))];
         double[] sines = [.. waves.Select(_ => part.Next() * sigmaMm / Math.Sqrt(Waves))];
@@ -142,4 +163,25 @@ public sealed record PlanPrediction(double? BoundMm, double? Assembles, int Part
             return sum;
         };
     }
+}
+
+/// <summary>How well the boundary of a feature will be known.</summary>
+/// <param name="BoundMm">Half the 95 % interval of the error anywhere along it, mm; null if the points do not tell it somewhere.</param>
+/// <param name="Place">Where it is known least, in the part's frame; null if no place is known less than the points.</param>
+public sealed record PlannedBound(double? BoundMm, Point2? Place)
+{
+    internal static PlannedBound Of(FeaturePrediction feature)
+    {
+        var points = feature.Points.Max(p => p.Interval95Mm);
+        return feature.WorstBetween is not { } worst ? new(points, null)
+            : new(worst.IsKnown ? Math.Max(points, worst.Interval95Mm) : null, worst.Place);
+    }
+
+    // One of which nothing is known somewhere is known least.
+    internal static PlannedBound Largest(IEnumerable<PlannedBound> bounds) =>
+        bounds.MaxBy(b => b.BoundMm ?? double.PositiveInfinity)!;
+
+    internal static PlannedBound? Median(PlannedBound[] bounds) => bounds.Length == 0 ? null
+        : bounds.Any(b => b.BoundMm is null) ? bounds.First(b => b.BoundMm is null)
+        : bounds.OrderBy(b => b.BoundMm).ElementAt(bounds.Length / 2);
 }

@@ -11,7 +11,10 @@ public sealed record TouchPlan(IReadOnlyList<PlannedFeature> Features, double St
     /// <summary>The points in the order of the features.</summary>
     public IEnumerable<PlannedPoint> Points => Features.SelectMany(f => f.Lists.SelectMany(l => l));
 
-    /// <summary>The plan with two points less, where they are missed least; null if each point is needed.</summary>
+    /// <summary>What it will tell; null of points that nobody chose, such as a job's own.</summary>
+    public PlanPrediction? Prediction { get; init; }
+
+    /// <summary>The plan without the two points that were chosen last, which tell least; null if each point is needed.</summary>
     public TouchPlan? TwoLess { get; init; }
 }
 

@@ -8,9 +8,11 @@ namespace ErrorMatching.Mating;
 
 /// <summary>Chooses where to touch the part before it is measured: as few points as tell its boundary everywhere as well as its limits
 /// need it.</summary>
-/// <remarks>What is known of an element by n points does not depend on what they will say, only on where they are: it is the posterior of
-/// a Gaussian process (Rasmussen and Williams, 2006, equation 2.26). A line can be touched anywhere between its outermost key points. Of
-/// a curve only its key points are known as designed, so some of them are chosen.</remarks>
+/// <remarks>Each element begins with the points that its kind needs. Then, as long as too little is known somewhere, one more is given to
+/// whichever element beside that place narrows it most: near a corner that may be the neighbor. What a choice tells is found by matching
+/// parts that are drawn (<see cref="PlanPrediction"/>). Where on the element does not depend on what the points will say: it is the place
+/// that narrows the posterior of a Gaussian process most (Rasmussen and Williams, 2006, equation 2.26). A line can be touched anywhere
+/// between its outermost key points. Of a curve only its key points are known as designed, so some of them are chosen.</remarks>
 public static class TouchPlanner
 {
     /// <summary>Code of the refusal of a job with features in other planes than XY.</summary>
@@ -23,55 +25,60 @@ public static class TouchPlanner
     public const double ApproachMm = 2;
 
     // The bound that is wanted, as a part of half the width of the limits; and the least that a gauge can be asked for, in standard
-    // uncertainties: few points cannot tell much less than each of them does.
+    // uncertainties: that of the worst of many places is no less.
     private const double OfLimits = 0.2;
-    private const double LeastOfUncertainty = 2;
-    private const double WithoutLimits = 2.5;
+    private const double LeastOfUncertainty = 5;
 
     // One point for each 5 mm (Wang 2021, section 2.1), and at least as many as tell more than the shape.
     private const double SpacingMm = 5;
     private const int LeastOfCurve = 4;
 
-    // Where there is a key point so near, no other one is taken, mm.
-    private const double NearMm = 2;
+    // Two points of a line are no nearer than this, mm; where a key point is nearer than half of it, it is taken instead.
+    private const double NearMm = 1;
 
     // So far from a corner a line is touched, mm: on it, a point tells of both its neighbors, and of neither well.
     private const double CornerMm = 1;
 
-    /// <summary>The form of a part before it is measured: over how much of a curve deviations are alike, mm (half waves of 45 mm), and how
-    /// large they are, as a part of half the width of the limits.</summary>
-    internal const double CurveMm = 15, OfHalfWidth = 0.25;
-
-    /// <summary>The same of a line, as a part of its length, and of the uncertainty of a point.</summary>
-    internal const double LinePart = 0.25, OfUncertainty = 1;
-
-    // Places at which an element is looked at, and by how much two more points must narrow the bound to be worth it.
-    private const int Places = 60;
+    // By how much more points must narrow the bound to be worth it, the most that are added at once to see whether they do, and the parts
+    // that are drawn to choose.
     private const double Worth = 0.97;
+    private const int MostAtOnce = 2;
+    private const int PartsToChoose = 6;
 
-    // Where a place of a line cannot be touched, the next one that can is not further than this, mm.
-    private const double AsideMm = 5;
-    private const double AsideStepMm = 0.25;
+    // An element that ends so near to a place that is known badly may tell of it, mm.
+    private const double BesideMm = 2;
+
+    // How far apart the places of a line are that are tried, mm; and how many places of an element are looked at.
+    private const double GridMm = 1;
+    private const int Places = 60;
 
     /// <summary>Chooses the points.</summary>
     /// <param name="job">The job.</param>
     /// <param name="path">The counterpart's program, interpreted.</param>
     /// <param name="theoretical">The key points as designed.</param>
     /// <param name="stylusDiameterMm">Diameter of the ball, mm.</param>
-    /// <param name="withinMm">Half the 95 % interval that is wanted at each place, mm; null for a fifth of what the limits allow.</param>
-    /// <returns>The plan, or why there is none.</returns>
+    /// <param name="withinMm">Half the 95 % interval of the error anywhere along the boundary that is wanted, mm; null for a fifth of what
+    /// the limits of each feature allow.</param>
+    /// <param name="predict">What a plan will tell, by a number of drawn parts.</param>
+    /// <returns>The plan with its prediction, or why there is none.</returns>
     /// <exception cref="InputException">A key point is missing. A selector cannot be read.</exception>
     public static Outcome<TouchPlan> Choose(
-        MatingJob job, NcPath path, MeasurementFile theoretical, double stylusDiameterMm, double? withinMm)
+        MatingJob job,
+        NcPath path,
+        MeasurementFile theoretical,
+        double stylusDiameterMm,
+        double? withinMm,
+        Func<TouchPlan, int, PlanPrediction> predict)
     {
         if (NotMapped(job, path, theoretical, out var maps) is { } cannot)
         {
             return cannot;
         }
 
+        ArgumentNullException.ThrowIfNull(predict);
         var reach = new ProbeReach(job, path, maps, stylusDiameterMm);
-        var notes = new List<string>();
         var elements = new List<Element>();
+        var uncertainty = job.Gauge.Uncertainty.CombinedMm;
         for (var f = 0; f < maps.Count; f++)
         {
             var (feature, pass) = (maps[f].Feature, maps[f].Passes[0]);
@@ -92,16 +99,25 @@ public static class TouchPlanner
                     designed = Straight(designed, [.. Enumerable.Range(first, count).Select(i => pass.Feet[i])]);
                 }
 
-                elements.Add(new(
-                    f, feature, feature.Kind.LeastPoints[k], designed, stretch, job.Gauge.Uncertainty.CombinedMm, reach, withinMm));
+                elements.Add(new(f, feature, feature.Kind.LeastPoints[k], designed, stretch, uncertainty, reach, withinMm));
                 first += count;
+            }
+        }
+
+        BoundaryElement[] stretched = [.. elements.Select(e => e.Stretch).OfType<BoundaryElement>()];
+        foreach (var run in BoundaryRun.Of(path, stretched, job.Counterpart.ToolDiameterMm))
+        {
+            for (var i = 0; i < run.Elements.Count; i++)
+            {
+                elements.Find(e => ReferenceEquals(e.Stretch, run.Elements[i]))!.Meets(
+                    run.JointAfter(i - 1) is not null, run.JointAfter(i) is not null);
             }
         }
 
         // One line tells how large the form errors of all are: the longest one can best.
         if (elements.Where(e => e.IsLine && e.FormMm is null).MaxBy(e => e.LengthMm) is { } telling)
         {
-            telling.Least = Math.Max(telling.Least, 3);
+            telling.TellsForm();
         }
 
         if (Unreached(elements) is { } refusal)
@@ -109,26 +125,9 @@ public static class TouchPlanner
             return refusal;
         }
 
-        int[] counts = [.. elements.Select(e => e.Enough(notes))];
-        return PlanOf(job, elements, counts, stylusDiameterMm, notes) with { TwoLess = WithTwoLess() };
-
-        TouchPlan? WithTwoLess()
-        {
-            var fewer = counts.ToArray();
-            for (var k = 0; k < 2; k++)
-            {
-                var least = Enumerable.Range(0, fewer.Length).Where(e => fewer[e] > elements[e].Least)
-                    .OrderBy(e => elements[e].BoundMm(fewer[e] - 1) / elements[e].WantedMm).Append(-1).First();
-                if (least < 0)
-                {
-                    return null;
-                }
-
-                fewer[least]--;
-            }
-
-            return PlanOf(job, elements, fewer, stylusDiameterMm, []);
-        }
+        var choice = new Choice(job, elements, stylusDiameterMm, predict);
+        choice.Narrow();
+        return choice.Plan();
     }
 
     /// <summary>The job's own key points on the part, with their normals.</summary>
@@ -270,25 +269,135 @@ public static class TouchPlanner
             ? NoRoom(element.Feature, element.Designed.First(d => d.ApproachMm is null).Label, element.Reach.StylusRadiusMm * 2)
             : null;
 
-    private static TouchPlan PlanOf(
-        MatingJob job, List<Element> elements, int[] counts, double stylusDiameterMm, IReadOnlyList<string> notes)
+    // How many points each element gets, and what they tell.
+    private sealed class Choice(
+        MatingJob job, List<Element> elements, double stylusDiameterMm, Func<TouchPlan, int, PlanPrediction> predict)
     {
-        var taken = job.NeededPoints.ToHashSet(StringComparer.Ordinal);
-        var next = taken.Select(l => int.TryParse(l, NumberStyles.None, CultureInfo.InvariantCulture, out var n) ? n : 0)
-            .Append(0).Max();
-        var features = new List<PlannedFeature>();
-        for (var f = 0; f < job.Features.Count; f++)
+        private readonly Dictionary<string, PlanPrediction> _told = new(StringComparer.Ordinal);
+        private readonly List<string> _notes = [];
+
+        // The elements of which more was told by one more point, in the order in which they got it.
+        private readonly List<int> _added = [];
+
+        private int[] _counts = [.. elements.Select(e => e.Least)];
+
+        // Gives points to what is known least until all is known as well as is wanted, or more points tell no more.
+        public void Narrow()
         {
-            features.Add(new(job.Features[f].Name, [
-                .. elements.Index().Where(e => e.Item.Index == f).Select(e => (IReadOnlyList<PlannedPoint>)[
-                    .. e.Item.Chosen(counts[e.Index]).Select(Of)])]));
+            var settled = new HashSet<int>();
+            while (Least(settled) is var (feature, bound))
+            {
+                if (!TellMoreOf(feature, bound))
+                {
+                    settled.Add(feature);
+                    _notes.Add(Note(feature));
+                }
+            }
         }
 
-        return new(features, stylusDiameterMm, notes);
+        public TouchPlan Plan()
+        {
+            var fewer = _counts.ToArray();
+            foreach (var element in _added.TakeLast(2))
+            {
+                fewer[element]--;
+            }
 
-        PlannedPoint Of(Place place) => new(place.Label ?? New(), place.At, place.Normal, place.Reason, place.ApproachMm);
+            return Told(_counts) with { Notes = _notes, TwoLess = _added.Count < 2 ? null : Told(fewer) };
+        }
 
-        string New() => (++next).ToString(CultureInfo.InvariantCulture);
+        private TouchPlan Told(int[] counts) => Of(counts) with { Prediction = Predict(counts, PlanPrediction.Draws) };
+
+        // The feature of which least is known, if that is not enough; by all parts if a few say that all is known.
+        private (int Feature, PlannedBound Bound)? Least(HashSet<int> settled)
+        {
+            foreach (var parts in new[] { PartsToChoose, PlanPrediction.Draws })
+            {
+                var told = Predict(_counts, parts);
+                var least = told.Parts == 0 ? -1 : Enumerable.Range(0, told.Features.Count)
+                    .Where(f => !settled.Contains(f) && Share(told, f) > 1)
+                    .OrderByDescending(f => Share(told, f))
+                    .Append(-1).First();
+                if (least >= 0)
+                {
+                    return (least, told.Features[least]);
+                }
+            }
+
+            return null;
+        }
+
+        private bool TellMoreOf(int feature, PlannedBound bound)
+        {
+            var before = Share(Predict(_counts, PartsToChoose), feature);
+            for (var more = 1; more <= MostAtOnce; more++)
+            {
+                var best = elements.Index()
+                    .Where(e => _counts[e.Index] + more <= e.Item.Most && e.Item.IsBeside(feature, bound.Place))
+                    .Select(e => (e.Index, Counts: With(e.Index, more)))
+                    .Select(e => (e.Index, e.Counts, Share: Share(Predict(e.Counts, PartsToChoose), feature)))
+                    .OrderBy(e => e.Share).FirstOrDefault();
+                if (best.Counts is not null && best.Share < Worth * before)
+                {
+                    _counts = best.Counts;
+                    _added.AddRange(Enumerable.Repeat(best.Index, more));
+                    return true;
+                }
+            }
+
+            return false;
+        }
+
+        private int[] With(int element, int more) => [.. _counts.Select((c, e) => e == element ? c + more : c)];
+
+        // The bound as a part of the one that is wanted.
+        private double Share(PlanPrediction told, int feature) =>
+            (told.Features[feature].BoundMm ?? double.PositiveInfinity) / elements.Find(e => e.Index == feature)!.WantedMm;
+
+        private PlanPrediction Predict(int[] counts, int parts)
+        {
+            var key = $"{parts}:{string.Join(' ', counts)}";
+            return _told.TryGetValue(key, out var told) ? told : _told[key] = predict(Of(counts), parts);
+        }
+
+        private string Note(int feature)
+        {
+            var own = elements.Where(e => e.Index == feature).ToArray();
+            var count = elements.Index().Where(e => e.Item.Index == feature).Sum(e => _counts[e.Index]);
+            var bound = Predict(_counts, PlanPrediction.Draws).Features[feature].BoundMm;
+            var name = own[0].Feature.Name;
+            if (bound is null)
+            {
+                return $"{name}: {count} points do not tell its form.";
+            }
+
+            var isFull = elements.Index().Where(e => e.Item.Index == feature).All(e => _counts[e.Index] >= e.Item.Most);
+            var why = !isFull ? "More points tell hardly more" : own[0].IsLine ? "It has room for no more" : "It has no more key points";
+            return string.Create(
+                CultureInfo.InvariantCulture,
+                $"{name}: {count} points tell ±{bound:0.0000} mm at best, ±{own[0].WantedMm:0.0000} mm was wanted. {why}: a better gauge "
+                    + $"would.");
+        }
+
+        private TouchPlan Of(int[] counts)
+        {
+            var taken = job.NeededPoints.ToHashSet(StringComparer.Ordinal);
+            var next = taken.Select(l => int.TryParse(l, NumberStyles.None, CultureInfo.InvariantCulture, out var n) ? n : 0)
+                .Append(0).Max();
+            var features = new List<PlannedFeature>();
+            for (var f = 0; f < job.Features.Count; f++)
+            {
+                features.Add(new(job.Features[f].Name, [
+                    .. elements.Index().Where(e => e.Item.Index == f).Select(e => (IReadOnlyList<PlannedPoint>)[
+                        .. e.Item.Chosen(counts[e.Index]).Select(PointOf)])]));
+            }
+
+            return new(features, stylusDiameterMm, []);
+
+            PlannedPoint PointOf(Place place) => new(place.Label ?? New(), place.At, place.Normal, place.Reason, place.ApproachMm);
+
+            string New() => (++next).ToString(CultureInfo.InvariantCulture);
+        }
     }
 
     // A key point as designed; without a label, a place that stands for one.
@@ -305,36 +414,45 @@ public static class TouchPlanner
     // The points of one list of a feature.
     private sealed class Element
     {
-        private readonly Stretch? _stretch;
         private readonly double _uncertaintyMm;
-        private readonly double _amplitudeMm;
-        private readonly Dictionary<int, Place[]> _chosen = [];
+        private readonly double _halfWidthMm;
+
+        // The places, the one that tells most first.
+        private readonly List<Place> _places = [];
+        private double _fromMm, _toMm;
+        private List<Place>? _others;
 
         public Element(
             int index,
             JobFeature feature,
             int least,
             DesignedPoint[] designed,
-            Stretch? stretch,
+            BoundaryElement? stretch,
             double uncertaintyMm,
             ProbeReach reach,
             double? withinMm)
         {
-            (Index, Feature, _stretch, _uncertaintyMm, Reach) = (index, feature, stretch, uncertaintyMm, reach);
+            (Index, Feature, Stretch, Reach, _uncertaintyMm) = (index, feature, stretch, reach, uncertaintyMm);
             Designed = [.. designed.Select(d => d with { ApproachMm = reach.ApproachMm(d.Place, d.Normal, ApproachMm) })];
             Reached = [.. Designed.Where(d => d.ApproachMm is not null).OrderBy(d => d.AlongMm)];
-            var half = feature.Tolerance.Band.WidthMm / 2;
-            _amplitudeMm = half > 0 ? OfHalfWidth * half : WithoutLimits * uncertaintyMm;
-            WantedMm = withinMm
-                ?? (half > 0 ? Math.Max(OfLimits * half, LeastOfUncertainty * uncertaintyMm) : WithoutLimits * uncertaintyMm);
+            _halfWidthMm = feature.Tolerance.Band.WidthMm / 2;
+            WantedMm = withinMm ?? Math.Max(OfLimits * _halfWidthMm, LeastOfUncertainty * uncertaintyMm);
             Least = stretch is null ? designed.Length
                 : IsLine ? least
                 : Math.Min(designed.Length, Math.Max(least, stretch.Degree is { } degree ? degree + 2 : LeastOfCurve));
+            if (Reached.Count > 1)
+            {
+                (_fromMm, _toMm) = (Reached[0].AlongMm, Reached[^1].AlongMm);
+                _places.Add(Reached[0].For(TouchReason.End));
+                _places.Add(Reached[^1].For(TouchReason.End));
+            }
         }
 
         public int Index { get; }
 
         public JobFeature Feature { get; }
+
+        public BoundaryElement? Stretch { get; }
 
         public IReadOnlyList<DesignedPoint> Designed { get; }
 
@@ -343,133 +461,116 @@ public static class TouchPlanner
         // The key points that can be touched, along the boundary.
         public List<DesignedPoint> Reached { get; }
 
-        public int Least { get; set; }
+        public int Least { get; private set; }
 
         // How many of them must be key points of the job.
         public int LeastOwn => IsLine ? 2 : Least;
 
-        public double? FormMm => _stretch?.FormMm;
+        public double? FormMm => Stretch?.FormMm;
 
         public double WantedMm { get; }
 
-        public bool IsLine => _stretch?.Form == ElementForm.Straight;
+        public bool IsLine => Stretch?.Form == ElementForm.Straight;
 
         public double LengthMm => Reached.Count < 2 ? 0 : Reached[^1].AlongMm - Reached[0].AlongMm;
 
-        private int Most => IsLine
-            ? LengthMm < 2 * NearMm ? Least : Math.Max(Math.Max(Least, 3), 1 + (int)(LengthMm / SpacingMm))
+        public int Most => Stretch is null ? Least
+            : IsLine ? _places.Count + Others.Count
             : Math.Clamp(1 + (int)Math.Ceiling(LengthMm / SpacingMm), Least, Reached.Count);
 
-        // How many points are enough.
-        public int Enough(List<string> notes)
+        // Where it meets a neighbor, it is compared up to there, beyond its key points.
+        public void Meets(bool atStart, bool atEnd)
         {
-            if (_stretch is null)
+            if (Reached.Count > 1)
             {
-                return Designed.Count;
+                _fromMm = atStart ? Math.Min(_fromMm, Stretch!.FromMm) : _fromMm;
+                _toMm = atEnd ? Math.Max(_toMm, Stretch!.ToMm) : _toMm;
             }
-
-            var (count, most) = (Least, Most);
-            while (count < most && BoundMm(count) > WantedMm && BoundMm(Math.Min(most, count + 2)) < Worth * BoundMm(count))
-            {
-                count++;
-            }
-
-            if (BoundMm(count) > WantedMm)
-            {
-                var why = count < most ? "More points tell hardly more" : IsLine ? "It has room for no more" : "It has no more key points";
-                notes.Add(string.Create(
-                    CultureInfo.InvariantCulture,
-                    $"{Feature.Name}: {count} points tell ±{BoundMm(count):0.0000} mm at best, ±{WantedMm:0.0000} mm was wanted. {why}: "
-                        + $"a better gauge would."));
-            }
-
-            return count;
         }
 
-        // Half the 95 % interval at the place of which a number of points tells least.
-        public double BoundMm(int count)
+        // A point in the middle tells how large form errors are.
+        public void TellsForm()
         {
-            if (_stretch is null)
+            Least = Math.Max(Least, 3);
+            var middle = (_places[0].AlongMm + _places[1].AlongMm) / 2;
+            if (Others.MinBy(p => Math.Abs(p.AlongMm - middle)) is { } place)
             {
-                return 0;
+                Take(place);
             }
-
-            double[] along = [.. Chosen(count).Select(c => c.AlongMm)];
-            var prior = new DeviationPrior(_stretch, DeviationPrior.VagueMm, _uncertaintyMm, along)
-            {
-                Form = _stretch.Degree is not null ? []
-                    : IsLine ? [(Square(_stretch.FormMm ?? (OfUncertainty * _uncertaintyMm)), LinePart * LengthMm)]
-                    : [(Square(_amplitudeMm), CurveMm)],
-            };
-            var field = new DeviationField(
-                [prior], [.. along.Select(a => new BoundaryRow([new RowTerm(0, a, 1)], 0))], _uncertaintyMm);
-            return PredictedError.Factor95 * Enumerable.Range(0, Places + 1).Max(
-                k => field.StandardDeviation(0, Reached[0].AlongMm + (LengthMm * k / Places)));
         }
 
-        // A number of places, as equally spaced as can be, from the first to the last.
+        // Whether its points may tell of a place of a feature: its own, or one beside it.
+        public bool IsBeside(int feature, Point2? place) =>
+            Index == feature || (place is { } at && Reached.Exists(d => d.Place.DistanceTo(at) < BesideMm + CornerMm));
+
+        // A number of places, each of which narrows most what those before it leave open.
         public Place[] Chosen(int count)
         {
-            if (_stretch is null)
+            if (Stretch is null)
             {
                 return [.. Designed.Select(d => d.For(TouchReason.Kept))];
             }
 
-            if (_chosen.TryGetValue(count, out var known))
+            while (_places.Count < count && Others.MinBy(UncertaintyMm) is { } next)
             {
-                return known;
+                Take(next);
             }
 
-            var left = Reached.ToList();
-            var places = new List<Place>();
-            for (var k = 0; k < count; k++)
-            {
-                var at = Reached[0].AlongMm + (LengthMm * k / (count - 1));
-                var reason = k == 0 || k == count - 1 ? TouchReason.End : TouchReason.Form;
-                var nearest = left.MinBy(d => Math.Abs(d.AlongMm - at));
-                if (nearest is not null && (!IsLine || Math.Abs(nearest.AlongMm - at) < NearMm || k == 0 || k == count - 1))
-                {
-                    left.Remove(nearest);
-                    places.Add(nearest.For(reason));
-                }
-                else if (IsLine && Beside(at) is { } place)
-                {
-                    places.Add(place);
-                }
-            }
-
-            return _chosen[count] = [.. InOrderOfJob(places)];
+            // As the job has its points: its features are cut in the order of their points, or it is refused.
+            var places = _places.Take(count).OrderBy(p => p.AlongMm);
+            return [.. Designed[0].AlongMm <= Designed[^1].AlongMm ? places : places.Reverse()];
         }
 
-        // As the job has its points: its features are cut in the order of their points, or it is refused.
-        private IEnumerable<Place> InOrderOfJob(List<Place> places) =>
-            Designed[0].AlongMm <= Designed[^1].AlongMm ? places.OrderBy(p => p.AlongMm) : places.OrderByDescending(p => p.AlongMm);
+        private List<Place> Others => _others ??= [.. Possible().Where(p => !IsNear(p))];
 
-        // The place of a line that is nearest to a length along it and can be touched.
-        private Place? Beside(double at)
+        // Curves have their key points, however near to each other.
+        private bool IsNear(Place place) =>
+            _places.Exists(p => p.Label is not null && p.Label == place.Label)
+                || (IsLine && _places.Exists(p => Math.Abs(p.AlongMm - place.AlongMm) < NearMm));
+
+        private void Take(Place place)
         {
-            for (var aside = 0.0; aside <= AsideMm; aside += AsideStepMm)
-            {
-                foreach (var along in aside == 0 ? [at] : new[] { at - aside, at + aside })
-                {
-                    if (along < Reached[0].AlongMm || along > Reached[^1].AlongMm)
-                    {
-                        continue;
-                    }
-
-                    var after = Math.Max(1, Reached.FindIndex(d => d.AlongMm >= along));
-                    var (from, to) = (Reached[after - 1], Reached[after]);
-                    var place = from.Place.Lerp(to.Place, (along - from.AlongMm) / (to.AlongMm - from.AlongMm));
-                    if (Reach.ApproachMm(place, from.Normal, ApproachMm) is { } approach)
-                    {
-                        return new(null, place, from.Normal, along, TouchReason.Form, approach);
-                    }
-                }
-            }
-
-            return null;
+            _places.Add(place);
+            Others.RemoveAll(IsNear);
         }
 
-        private static double Square(double value) => value * value;
+        // The largest standard deviation anywhere along the element with one more place.
+        private double UncertaintyMm(Place more)
+        {
+            double[] along = [.. _places.Append(more).Select(p => p.AlongMm)];
+            var prior = new DeviationPrior(Stretch!, DeviationPrior.VagueMm, _uncertaintyMm, along)
+            {
+                Form = Stretch!.Degree is not null ? [] : [PlanPrediction.FormOf(IsLine, LengthMm, _halfWidthMm, _uncertaintyMm, FormMm)],
+            };
+            var field = new DeviationField(
+                [prior], [.. along.Select(a => new BoundaryRow([new RowTerm(0, a, 1)], 0))], _uncertaintyMm);
+            return Enumerable.Range(0, Places + 1).Max(k => field.StandardDeviation(0, _fromMm + ((_toMm - _fromMm) * k / Places)));
+        }
+
+        // Its key points, and between those of a line a grid.
+        private IEnumerable<Place> Possible()
+        {
+            foreach (var point in Reached)
+            {
+                yield return point.For(TouchReason.Form);
+            }
+
+            if (!IsLine)
+            {
+                yield break;
+            }
+
+            for (var along = Reached[0].AlongMm; along < Reached[^1].AlongMm; along += GridMm)
+            {
+                var after = Reached.FindIndex(d => d.AlongMm > along);
+                var (from, to) = (Reached[after - 1], Reached[after]);
+                var place = from.Place.Lerp(to.Place, (along - from.AlongMm) / (to.AlongMm - from.AlongMm));
+                if (Math.Min(along - from.AlongMm, to.AlongMm - along) >= NearMm / 2
+                    && Reach.ApproachMm(place, from.Normal, ApproachMm) is { } approach)
+                {
+                    yield return new(null, place, from.Normal, along, TouchReason.Form, approach);
+                }
+            }
+        }
     }
 }

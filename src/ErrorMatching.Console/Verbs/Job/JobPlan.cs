@@ -13,7 +13,7 @@ internal sealed class JobPlan : Verb
 
     private readonly Option<double?> _stylus = ProbeOptions.Stylus();
     private readonly Option<double?> _within = ProbeOptions.Positive(
-        "--within", "How well the boundary must be known everywhere, 95 %. Without it: a fifth of the limits at each place.", "MM");
+        "--within", "How well the boundary must be known everywhere, 95 %. Without it: a fifth of the limits.", "MM");
 
     public JobPlan()
         : base(
