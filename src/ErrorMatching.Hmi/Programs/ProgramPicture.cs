@@ -1,3 +1,4 @@
+using ErrorMatching.Geometry;
 using ErrorMatching.Jobs;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
@@ -16,6 +17,7 @@ public sealed class ProgramPicture : Observable
     private bool _isNaming;
     private IReadOnlyList<FeatureMark> _marks = [];
     private IReadOnlyList<DraftPlace> _points = [];
+    private IReadOnlyList<IReadOnlyList<Point2>> _outline = [];
     private string? _feature;
     private string? _message;
     private bool _isReadOnly;
@@ -72,6 +74,13 @@ public sealed class ProgramPicture : Observable
     {
         get => _points;
         set => Set(ref _points, value);
+    }
+
+    /// <summary>Lines over the path: the outline of a drawing, in the frame of the program; empty for none.</summary>
+    public IReadOnlyList<IReadOnlyList<Point2>> Outline
+    {
+        get => _outline;
+        set => Set(ref _outline, value);
     }
 
     /// <summary>The feature that blocks are picked for; null if the program is only viewed.</summary>
@@ -255,16 +264,10 @@ public sealed class ProgramPicture : Observable
                 var (first, last) = program.Trimmed(range);
                 return BlockNames.Of(program.Path.Program, first, last);
             });
-            if (!words.IsUsable)
-            {
-                Message = CodeText.Of(words.Refusal.Code, words.Refusal.Message);
-                return;
-            }
-
             // Clears the selection after use: the next feature needs other blocks.
             Selection = Selection == range ? null : Selection;
             Message = null;
-            RangeChosen?.Invoke(new(feature, words.Result, isMore));
+            RangeChosen?.Invoke(new(feature, words, isMore));
         }
         finally
         {

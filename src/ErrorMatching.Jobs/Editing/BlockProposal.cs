@@ -40,13 +40,7 @@ internal static class BlockProposal
                 };
             }
 
-            var named = BlockNames.Of(path.Program, first, last);
-            if (!named.IsUsable)
-            {
-                return none with { Refusal = FeatureRefusal.Of(named.Refusal, name) };
-            }
-
-            names.AddRange(named.Result);
+            names.AddRange(BlockNames.Of(path.Program, first, last));
             passes.Add((first, last));
         }
 

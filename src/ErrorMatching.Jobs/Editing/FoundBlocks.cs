@@ -55,8 +55,25 @@ public sealed record FoundBlocks(
 
         var text = Encoding.UTF8.GetBytes(Encoding.UTF8.GetString(JobBytes.Span).TrimStart('\uFEFF').ReplaceLineEndings("\n"));
         var root = JsonInput.Read(text, Job.File);
-        return JsonEdit.Apply(text, [.. MovedPaths.Of(Job, root, target), .. root["features"].Items.SelectMany((f, i) => Blocks(f, i))]);
+        return JsonEdit.Apply(text, [
+            .. MovedPaths.Of(Job, root, target),
+            .. root["features"].Items.SelectMany((f, i) => Blocks(f, i)),
+            .. Hash(root["counterpart"])]);
     }
+
+    // Lines are those of this program alone.
+    private IEnumerable<JsonEdit> Hash(JsonItem counterpart)
+    {
+        if (Features.Index().Any(f => !IsInJob(f.Index) && f.Item.Blocks.Any(b => BlockSelector.Parse(b).IsByLine)))
+        {
+            var sha256 = JsonEdit.Text(DraftProgram.Of(Path.Program.Bytes).Sha256);
+            yield return counterpart.Find("programSha256") is { } stated
+                ? new(stated.Bytes, sha256)
+                : new(After(counterpart["program"]), ", \"programSha256\": " + sha256);
+        }
+    }
+
+    private static Range After(JsonItem item) => item.Bytes.End..item.Bytes.End;
 
     private HashSet<int> Cutting(IEnumerable<int> blocks) =>
         [.. blocks.SelectMany(b => Path.MotionsOf(b).ToArray()).Where(m => Path.Motions[m] is { IsCut: true, MovesInPlane: true })];
@@ -68,7 +85,7 @@ public sealed record FoundBlocks(
             var list = JsonEdit.List(Features[feature].Blocks);
             yield return item.Find("blocks") is { } blocks
                 ? new(blocks.Bytes, list)
-                : new(item["points"].Bytes.End..item["points"].Bytes.End, ", \"blocks\": " + list);
+                : new(After(item["points"]), ", \"blocks\": " + list);
         }
     }
 }

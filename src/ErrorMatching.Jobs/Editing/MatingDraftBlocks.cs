@@ -1,5 +1,6 @@
 using ErrorMatching.Mating;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Jobs;
 
@@ -7,8 +8,8 @@ namespace ErrorMatching.Jobs;
 /// the user to check.</summary>
 public static class MatingDraftBlocks
 {
-    /// <summary>The blocks of features that have none yet. None are found if a point lacks coordinates, no cut follows the feature, or
-    /// the block names are not unique.</summary>
+    /// <summary>The blocks of features that have none yet. None are found if a point lacks coordinates, or no cut follows the
+    /// feature.</summary>
     /// <param name="draft">The draft; it may have other problems.</param>
     /// <param name="path">Its program, interpreted.</param>
     public static IReadOnlyList<ProposedBlocks> Propose(MatingDraft draft, NcPath path)
@@ -32,5 +33,32 @@ public static class MatingDraftBlocks
                 DraftNumber.Value(draft.Counterpart.ToolDiameter),
                 DraftNumber.Value(draft.Counterpart.Map) ?? JobCounterpart.DefaultMapMm)
             .Where(p => draft.Features[p.Feature].BlockList.Count == 0)];
+    }
+
+    /// <summary>The draft that says for which program its blocks were chosen, if they are named by lines: in an edited program, other
+    /// blocks would be meant.</summary>
+    /// <param name="draft">The draft.</param>
+    /// <param name="program">The program for which they were chosen.</param>
+    public static MatingDraft Pinned(MatingDraft draft, NcProgram program)
+    {
+        ArgumentNullException.ThrowIfNull(draft);
+        ArgumentNullException.ThrowIfNull(program);
+        return !draft.Features.Any(f => f.BlockList.Any(IsByLine)) ? draft : draft with
+        {
+            Counterpart = draft.Counterpart with { ProgramSha256 = DraftProgram.Of(program.Bytes).Sha256 },
+        };
+    }
+
+    // As a user types it, a selector may be none.
+    private static bool IsByLine(string selector)
+    {
+        try
+        {
+            return BlockSelector.Parse(selector).IsByLine;
+        }
+        catch (InputException)
+        {
+            return false;
+        }
     }
 }

@@ -1,5 +1,5 @@
+using System.Globalization;
 using System.Text.RegularExpressions;
-using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
 
@@ -14,10 +14,11 @@ public static class BlockNames
     public const int LongestText = 500;
 
     /// <summary>Selectors that name exactly the blocks from one to another, both included: <c>N130</c>, <c>N130..N160</c>. Blocks at the
-    /// ends without a number of their own are named by their whole text (<c>/^G1\ X5\.$/</c>).</summary>
-    /// <returns>The selectors, or a refusal if the blocks cannot be distinguished from others.</returns>
+    /// ends without a number of their own are named by their whole text (<c>/^G1\ X5\.$/</c>). Where that does not tell them from others,
+    /// such as those of a second pass, all are named by their lines (<c>L12..L40</c>), which other blocks have once the file is
+    /// edited.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The blocks do not exist.</exception>
-    public static Outcome<string[]> Of(NcProgram program, int first, int last)
+    public static string[] Of(NcProgram program, int first, int last)
     {
         ArgumentOutOfRangeException.ThrowIfNegative(first);
         ArgumentOutOfRangeException.ThrowIfLessThan(last, first);
@@ -35,7 +36,7 @@ public static class BlockNames
             : Enumerable.Range(0, Math.Min(last - from + 1, MostByText + 1)).Select(i => last - i).FirstOrDefault(known.Contains, -1);
         if (from - first > MostByText || to < 0)
         {
-            return Refuse(program, from > last ? first : last);
+            return Lines(first, last);
         }
 
         var words = new List<string>();
@@ -43,7 +44,7 @@ public static class BlockNames
         {
             if (program[block].Length > LongestText || program[block].Length == 0)
             {
-                return Refuse(program, block);
+                return Lines(first, last);
             }
 
             words.Add($"/^{Regex.Escape(program.TextOf(program[block]))}$/");
@@ -58,21 +59,12 @@ public static class BlockNames
 
         // The selector itself decides whether they name exactly these blocks.
         var selected = BlockSelector.Select(program, [.. words.Select(BlockSelector.Parse)]);
-        if (!selected.IsUsable)
-        {
-            return selected.Refusal;
-        }
-
-        var other = selected.Result.FirstOrDefault(b => b < first || b > last, -1);
-        return other < 0
-            ? words.ToArray()
-            : BlockRefusal.At(
-                program,
-                other,
-                NcRefusalCodes.BlockAmbiguous,
-                $"it reads the same as a block without a number between lines {first + 1} and {last + 1}. Give the blocks of that range "
-                    + $"numbers.");
+        return selected.IsUsable && selected.Result.All(b => b >= first && b <= last) ? [.. words] : Lines(first, last);
     }
+
+    private static string[] Lines(int first, int last) => first == last
+        ? [string.Create(CultureInfo.InvariantCulture, $"L{first + 1}")]
+        : [string.Create(CultureInfo.InvariantCulture, $"L{first + 1}..L{last + 1}")];
 
     // A number as selectors spell it: not every control writes the N.
     private static string Number(NcProgram program, int block) =>
@@ -98,12 +90,4 @@ public static class BlockNames
         BlockSelector.Find(program, numbered);
         return [.. named.Where(n => numbered[n.Number].Count == 1).Select(n => n.Block)];
     }
-
-    private static Refusal Refuse(NcProgram program, int block) =>
-        BlockRefusal.At(
-            program,
-            block,
-            NcRefusalCodes.BlockNotFound,
-            "it has no number of its own by which the range could be named. Give the first and the last block of the range numbers that "
-                + "no other block has.");
 }

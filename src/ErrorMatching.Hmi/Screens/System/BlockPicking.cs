@@ -158,7 +158,8 @@ internal sealed class BlockPicking
         {
             var blocks = string.Join(
                 ", ", choice.IsMore ? [.. _editing.Draft.Features[feature].BlockList, .. choice.Blocks] : choice.Blocks);
-            _editing.Change("", d => d.WithFeature(feature, f => f with { Blocks = blocks }));
+            _editing.Change("", d => MatingDraftBlocks.Pinned(
+                d.WithFeature(feature, f => f with { Blocks = blocks }), Picture!.Program.Path.Program));
             _picked = choice.IsMore ? feature : NextPicked(feature);
             Show();
         }
@@ -179,7 +180,9 @@ internal sealed class BlockPicking
 
         var found = proposed.Where(p => p.Blocks.Count > 0).ToArray();
         _editing.Change(
-            "", d => found.Aggregate(d, (to, p) => to.WithFeature(p.Feature, f => f with { Blocks = string.Join(", ", p.Blocks) })));
+            "", d => MatingDraftBlocks.Pinned(
+                found.Aggregate(d, (to, p) => to.WithFeature(p.Feature, f => f with { Blocks = string.Join(", ", p.Blocks) })),
+                path.Program));
         _picked = NextPicked(_picked);
         Show();
         string[] missed = [.. proposed.Where(p => p.Blocks.Count == 0).Select(p => p.Name)];
