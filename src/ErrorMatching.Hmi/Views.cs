@@ -11,6 +11,7 @@ internal sealed class Views : IRecyclingDataTemplate
         [typeof(LoginViewModel)] = (typeof(LoginView), () => new LoginView()),
         [typeof(OverviewViewModel)] = (typeof(OverviewView), () => new OverviewView()),
         [typeof(PointsViewModel)] = (typeof(PointsView), () => new PointsView()),
+        [typeof(OutlineChoice)] = (typeof(OutlineChoiceView), () => new OutlineChoiceView()),
         [typeof(FeatureEdit)] = (typeof(FeatureEditView), () => new FeatureEditView()),
         [typeof(FlankEdit)] = (typeof(FlankEditView), () => new FlankEditView()),
         [typeof(SystemViewModel)] = (typeof(SystemView), () => new SystemView()),

@@ -12,4 +12,14 @@ public sealed record FileChoice(FileChoiceKind Kind, string TitleKey, IReadOnlyL
 
     /// <summary>Name of the sample file that fits. It is filled in if the samples' folder is shown first; null if there is none.</summary>
     public string? Sample { get; init; }
+
+    /// <summary>Asks for the counterpart's program.</summary>
+    /// <param name="sample">Name of the sample that fits.</param>
+    public static FileChoice OfProgram(string sample) => new(
+        FileChoiceKind.Open,
+        "System.ChooseProgram",
+        [".nc", ".ngc", ".mpf", ".spf", ".cnc", ".tap", ".min", ".prg", ".h", ".txt"])
+    {
+        Sample = sample,
+    };
 }

@@ -23,6 +23,9 @@ public sealed class DemoCell : IAsyncDisposable
     /// <summary>Names of the sample files: nominal coordinates, the counterpart's program, a measured part.</summary>
     internal const string DrawingFile = "drawing.csv", ProgramFile = "counterpart.nc", PartFile = "part.csv";
 
+    /// <summary>Names of a sample drawing of an outline, and of the program that cuts it.</summary>
+    internal const string OutlineFile = "outline.dxf", OutlineProgramFile = "dovetail.nc";
+
     private readonly TimeProvider _clock;
     private readonly string _samples;
     private readonly CancellationTokenSource _stop = new();
@@ -50,6 +53,9 @@ public sealed class DemoCell : IAsyncDisposable
         Copy(Path.Combine(samples, "complex-mating"), Path.Combine(folder, "complex-mating"));
         Copy(Path.Combine(samples, "surface-one"), Path.Combine(folder, "surface-one"));
         CopySetup(Path.Combine(samples, "complex-mating"), SamplesIn(folder));
+        var (dovetail, setup) = (Path.Combine(samples, "dovetail"), SamplesIn(folder));
+        File.Copy(Path.Combine(dovetail, "outline.dxf"), Path.Combine(setup, OutlineFile), overwrite: true);
+        File.Copy(Path.Combine(dovetail, ProgramFile), Path.Combine(setup, OutlineProgramFile), overwrite: true);
         var settings = CellSettingsReader.Read(Path.Combine(folder, "cell", "cell.json"));
         foreach (var made in settings.Gauges.Select(g => g.Incoming!).Concat(settings.Machines.Select(m => m.Transport.LocalFolder!)))
         {

@@ -84,6 +84,21 @@ public sealed partial class PathPlot
     }
 
     // A ring at the start of the selection, a dot at its end.
+    private void DrawOutline(DrawingContext context, PlotView view)
+    {
+        var pen = new Pen(OutlineBrush, DrawnSizes.Thick, lineJoin: PenLineJoin.Bevel);
+        foreach (var line in Picture!.Outline)
+        {
+            for (var i = 1; i < line.Count; i++)
+            {
+                if (view.Seen.PartOf(line[i - 1], line[i]) is var (from, to))
+                {
+                    context.DrawLine(pen, view.At(from), view.At(to));
+                }
+            }
+        }
+    }
+
     private void DrawEnds(DrawingContext context, PlotView view, OpenedProgram program)
     {
         if (Picture!.Selection is { } range && program.MotionsOf(range) is var (first, last))

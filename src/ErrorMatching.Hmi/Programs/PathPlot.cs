@@ -18,6 +18,9 @@ public sealed partial class PathPlot : PlotArea
 
     public static readonly StyledProperty<IBrush?> QuietBrushProperty = AvaloniaProperty.Register<PathPlot, IBrush?>(nameof(QuietBrush));
 
+    public static readonly StyledProperty<IBrush?> OutlineBrushProperty = AvaloniaProperty.Register<PathPlot, IBrush?>(
+        nameof(OutlineBrush));
+
     /// <summary>Maximum number of strokes drawn as shapes.</summary>
     public const int MostShapes = 1500;
 
@@ -25,7 +28,7 @@ public sealed partial class PathPlot : PlotArea
     private readonly PathPainter _painter;
     private BitArray? _featured;
 
-    static PathPlot() => AffectsRender<PathPlot>(ChosenBrushProperty, QuietBrushProperty);
+    static PathPlot() => AffectsRender<PathPlot>(ChosenBrushProperty, QuietBrushProperty, OutlineBrushProperty);
 
     public PathPlot() => _painter = new(InvalidateVisual);
 
@@ -49,6 +52,13 @@ public sealed partial class PathPlot : PlotArea
         set => SetValue(QuietBrushProperty, value);
     }
 
+    /// <summary>Color of an outline over the path.</summary>
+    public IBrush? OutlineBrush
+    {
+        get => GetValue(OutlineBrushProperty);
+        set => SetValue(OutlineBrushProperty, value);
+    }
+
     /// <summary>True if the last frame was drawn pixel by pixel.</summary>
     internal bool IsByPixel { get; private set; }
 
@@ -59,7 +69,7 @@ public sealed partial class PathPlot : PlotArea
     protected override PlotBox Extent =>
         Picture is not { Program.Moves.Extent: var path }
             ? PlotBox.Empty
-            : PlotBox.Of(Picture.Points.Select(p => p.At)) is var points && points.Touches(path)
+            : PlotBox.Of(Picture.Points.Select(p => p.At).Concat(Picture.Outline.SelectMany(l => l))) is var points && points.Touches(path)
             ? path.With(points)
             : path;
 
@@ -186,6 +196,7 @@ public sealed partial class PathPlot : PlotArea
             _strokes.Draw(context, PenOf(kind), kind, Picture.Selection, _featured);
         }
 
+        DrawOutline(context, view);
         DrawLabels(context, view, program);
         DrawEnds(context, view, program);
     }
@@ -200,7 +211,7 @@ public sealed partial class PathPlot : PlotArea
             case nameof(ProgramPicture.Marks):
                 Sort();
                 break;
-            case nameof(ProgramPicture.Points):
+            case nameof(ProgramPicture.Points) or nameof(ProgramPicture.Outline):
                 Renew([]);
                 break;
             case nameof(ProgramPicture.Feature):

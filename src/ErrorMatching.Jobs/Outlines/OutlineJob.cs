@@ -25,6 +25,10 @@ public sealed record OutlineJob
     // Of many layers, those with the longest outlines are listed and tried.
     private const int MostListed = 24, MostTried = 8;
 
+    // A curve is drawn by chords of about this length, mm, and at most so many.
+    private const double ChordMm = 0.5;
+    private const int MostChords = 400;
+
     // Rotations nearer than this to quarter turns are those, degrees: a meter is turned by 5 um. The key points say what that leaves.
     private const double QuarterDegrees = 0.0003;
 
@@ -34,6 +38,12 @@ public sealed record OutlineJob
     private OutlineJob()
     {
     }
+
+    /// <summary>What was wanted.</summary>
+    public required OutlineRequest Request { get; init; }
+
+    /// <summary>The program that the outline lies on.</summary>
+    public required ReadOnlyMemory<byte> Program { get; init; }
 
     /// <summary>The job.</summary>
     public required ReadOnlyMemory<byte> Job { get; init; }
@@ -65,11 +75,75 @@ public sealed record OutlineJob
     /// <summary>The proposed features: name, kind, number of key points and blocks.</summary>
     public required IReadOnlyList<(string Name, FeatureKind Kind, int Points, IReadOnlyList<string> Blocks)> Features { get; init; }
 
-    /// <summary>What was left out, or may be otherwise, in sentences.</summary>
-    public required IReadOnlyList<string> Notes { get; init; }
+    /// <summary>True if nobody named the tool: its diameter is what the outline's distance from the path says.</summary>
+    public bool IsToolFound => Request.ToolDiameterMm is null;
+
+    /// <summary>True if the drawing does not say its unit, and millimeters are taken.</summary>
+    public required bool IsUnitAssumed { get; init; }
+
+    /// <summary>The number of other ways to lay the outline on the program; this one moves it least.</summary>
+    public required int OtherWays { get; init; }
+
+    /// <summary>What was passed over or left out, in sentences.</summary>
+    public required IReadOnlyList<string> Remarks { get; init; }
+
+    /// <summary>What may be otherwise, and what was left out, in sentences.</summary>
+    public IReadOnlyList<string> Notes
+    {
+        get
+        {
+            var notes = new List<string>();
+            if (IsToolFound)
+            {
+                notes.Add(FormattableString.Invariant(
+                    $"Nobody named the tool: {ToolDiameterMm:0.###} mm is what the outline's distance from the path says. An allowance or ")
+                    + "a gap in the program would be taken for tool: compare, and give --tool-diameter if yours is another.");
+            }
+
+            if (IsUnitAssumed)
+            {
+                notes.Add("The drawing does not say its unit. It fits the program in millimeters.");
+            }
+
+            if (OtherWays > 0)
+            {
+                notes.Add(
+                    $"The outline can be laid on the program in {OtherWays + 1} ways or more; this one moves it least. Look at the "
+                        + "frame: a wrong one puts every correction at a wrong place.");
+            }
+
+            return [.. notes, .. Remarks];
+        }
+    }
 
     /// <summary>The files that were read.</summary>
     public required IReadOnlyList<string> Read { get; init; }
+
+    /// <summary>The whole outline as lines, in the frame of the program.</summary>
+    public IReadOnlyList<IReadOnlyList<Point2>> Outline { get; init; } = [];
+
+    /// <summary>The layers of a drawing, one of which mates, with what a program cuts of them.</summary>
+    /// <param name="request">The drawing and the program; its layer is not looked at.</param>
+    /// <param name="cancellation">Cancels between layers.</param>
+    /// <returns>The layers with the longest outlines, longest first; a refusal if nothing can be laid on the program at all.</returns>
+    /// <exception cref="InputException">As <see cref="Of"/>.</exception>
+    /// <exception cref="OperationCanceledException">Canceled.</exception>
+    public static Outcome<OutlineLayer[]> LayersOf(OutlineRequest request, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(request);
+        var opened = Open(request, cancellation);
+        if (opened.Result is not var (_, cuts, drawing))
+        {
+            return Outcome.Refused<OutlineLayer[]>(opened.Refusals);
+        }
+
+        return Longest(drawing).Take(MostTried).Select(l =>
+        {
+            cancellation.ThrowIfCancellationRequested();
+            return new OutlineLayer(
+                l, drawing.Curves.Count(c => c.Layer == l), drawing.Places.GetValueOrDefault(l) ?? "", ShareOf(request, drawing, l, cuts));
+        }).ToArray();
+    }
 
     /// <summary>Makes a job.</summary>
     /// <returns>The job; a refusal if the drawing cannot be laid on what the program cuts.</returns>
@@ -78,6 +152,67 @@ public sealed record OutlineJob
     public static Outcome<OutlineJob> Of(OutlineRequest request, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(request);
+        var opened = Open(request, cancellation);
+        if (opened.Result is not var (path, cuts, drawing))
+        {
+            return Outcome.Refused<OutlineJob>(opened.Refusals);
+        }
+
+        var layer = LayerOf(drawing, request, cuts);
+        var chains = Chains(drawing, layer);
+        var elements = chains.SelectMany(c => c).ToArray();
+        if (OutlineLaying.Of(elements, cuts, request.ToolDiameterMm / 2) is not { } laying)
+        {
+            return NotLaid(request, drawing, layer, cuts);
+        }
+
+        var notes = drawing.Notes.ToList();
+        laying = laying with { Frame = Rounded(laying.Frame, elements[0].From), RadiusMm = Math.Round(laying.RadiusMm, 3) };
+        if (laying.CoveredShare < 0.98)
+        {
+            notes.Add(FormattableString.Invariant(
+                $"The program cuts {laying.CoveredShare:0 %} of the outline; features are proposed there."));
+        }
+
+        var features = chains.SelectMany(c => OutlineFeature.Of(c, laying, cuts, notes)).OrderBy(f => f.Motion).Select(f => f.Feature);
+        var made = WithBlocks(request, path, cuts, layer, drawing.Unit, laying, [.. Named(features)], notes);
+        return made.Result is { } job ? job with { Outline = Lines(chains, laying.Frame) }
+            : UnitOf(request, drawing, layer, cuts) is { } unit ? unit : made;
+    }
+
+    /// <summary>A draft with the outline: its features with their blocks, frame, tool and program. What a drawing does not say, stays as
+    /// the draft has it; limits, which were for other features, are empty.</summary>
+    /// <param name="draft">The draft.</param>
+    /// <exception cref="DraftException">The job contains something that a draft cannot represent.</exception>
+    public MatingDraft Into(MatingDraft draft)
+    {
+        ArgumentNullException.ThrowIfNull(draft);
+        var made = MatingDraftFiles.Read(Job.Span, Request.Job, Theoretical);
+        return draft with
+        {
+            Name = draft.Name.Trim().Length > 0 ? draft.Name : Path.GetFileNameWithoutExtension(Request.Drawing),
+            Features = [.. made.Features.Select(f => f with { Lower = "", Upper = "" })],
+            OtherPoints = [],
+            Alignment = new(),
+            OriginPoint = "",
+            OriginLimit = "",
+            Comparisons = [],
+            Counterpart = draft.Counterpart with
+            {
+                Program = Path.GetFileName(Request.Program),
+                ProgramSha256 = made.Counterpart.ProgramSha256,
+                ToolDiameter = made.Counterpart.ToolDiameter,
+                Mirror = made.Counterpart.Mirror,
+                Rotate = made.Counterpart.Rotate,
+                TranslateX = made.Counterpart.TranslateX,
+                TranslateY = made.Counterpart.TranslateY,
+            },
+            Program = DraftProgram.Of(Program),
+        };
+    }
+
+    private static Outcome<Opened> Open(OutlineRequest request, CancellationToken cancellation)
+    {
         var dialect = InputFile.Dialect(request.Dialect);
         var path = NcInterpreter.Run(
             NcProgram.Read(InputFile.Program(request.Program)), dialect, new ProgramFolder(request.Program, []).Find, cancellation);
@@ -102,46 +237,23 @@ public sealed record OutlineJob
                 "the control offsets the tool there (G41 or G42), so the path does not tell the tool. Give --tool-diameter.");
         }
 
-        var drawing = Drawing.Read(request.Drawing, request.UnitMm);
-        var layer = LayerOf(drawing, request, cuts);
-        var chains = Chains(drawing, layer);
-        var elements = chains.SelectMany(c => c).ToArray();
-        if (OutlineLaying.Of(elements, cuts, request.ToolDiameterMm / 2) is not { } laying)
-        {
-            return NotLaid(request, drawing, layer, cuts);
-        }
-
-        var notes = drawing.Notes.ToList();
-        laying = laying with { Frame = Rounded(laying.Frame, elements[0].From), RadiusMm = Math.Round(laying.RadiusMm, 3) };
-        if (request.ToolDiameterMm is null)
-        {
-            notes.Add(FormattableString.Invariant(
-                $"Nobody named the tool: {2 * laying.RadiusMm:0.###} mm is what the outline's distance from the path says. An allowance ")
-                + "or a gap in the program would be taken for tool: compare, and give --tool-diameter if yours is another.");
-        }
-
-        if (!drawing.Unit.IsStated)
-        {
-            notes.Add("The drawing does not say its unit. It fits the program in millimeters.");
-        }
-
-        if (laying.Others > 0)
-        {
-            notes.Add(
-                $"The outline can be laid on the program in {laying.Others + 1} ways or more; this one moves it least. Look at the "
-                    + "frame: a wrong one puts every correction at a wrong place.");
-        }
-
-        if (laying.CoveredShare < 0.98)
-        {
-            notes.Add(FormattableString.Invariant(
-                $"The program cuts {laying.CoveredShare:0 %} of the outline; features are proposed there."));
-        }
-
-        var features = chains.SelectMany(c => OutlineFeature.Of(c, laying, cuts, notes)).OrderBy(f => f.Motion).Select(f => f.Feature);
-        var made = WithBlocks(request, path, cuts, layer, drawing.Unit.Mm, laying, [.. Named(features)], notes);
-        return made.IsUsable || UnitOf(request, drawing, layer, cuts) is not { } unit ? made : unit;
+        return new Opened(path, cuts, Drawing.Read(request.Drawing, request.UnitMm));
     }
+
+    private static IEnumerable<string> Longest(Drawing drawing) => drawing.Curves.GroupBy(c => c.Layer, StringComparer.Ordinal)
+        .OrderByDescending(g => g.Sum(c => c.LengthMm)).Select(g => g.Key);
+
+    // What the program cuts of a layer; null if it cannot be laid on the program.
+    private static double? ShareOf(OutlineRequest request, Drawing drawing, string layer, CutPath cuts) => OutlineLaying.Of(
+        [.. Chains(drawing, layer).SelectMany(c => c)], cuts, request.ToolDiameterMm / 2)?.CoveredShare;
+
+    private static IReadOnlyList<Point2>[] Lines(OutlineElement[][] chains, RigidTransform2 frame) => [
+        .. chains.Select(chain => (IReadOnlyList<Point2>)[
+            .. chain.SelectMany(e => e.Curves).SelectMany(c =>
+            {
+                var count = c is DrawnLine ? 1 : Math.Clamp((int)(c.LengthMm / ChordMm), 8, MostChords);
+                return Enumerable.Range(0, count + 1).Select(k => frame.Apply(c.AtLength(c.LengthMm * k / count)));
+            })])];
 
     private static OutlineElement[][] Chains(Drawing drawing, string layer) =>
         [.. OutlineChain.Of([.. drawing.Curves.Where(c => c.Layer == layer)]).Select(c => OutlineElement.Of(c).ToArray())];
@@ -149,13 +261,12 @@ public sealed record OutlineJob
     // Which one mates is asked and not guessed, also where only one can be laid on the program: a piece has more than one outline.
     private static string LayerOf(Drawing drawing, OutlineRequest request, CutPath cuts)
     {
-        var lengths = drawing.Curves.GroupBy(c => c.Layer, StringComparer.Ordinal).Select(g => (g.Key, Mm: g.Sum(c => c.LengthMm)))
-            .OrderByDescending(l => l.Mm).ToArray();
-        var longest = lengths.Take(MostListed).Select(l => l.Key).ToHashSet(StringComparer.Ordinal);
+        string[] all = [.. Longest(drawing)];
+        var longest = all.Take(MostListed).ToHashSet(StringComparer.Ordinal);
         var layers = string.Join(", ", drawing.Layers.Where(longest.Contains).Select(l =>
             $"{PrintedText.OneLine(l)} ({ReportNumber.Count(drawing.Curves.Count(c => c.Layer == l), "curve")}"
                 + $"{drawing.Places.GetValueOrDefault(l)})"));
-        layers += lengths.Length > MostListed ? $" and {ReportNumber.Count(lengths.Length - MostListed)} with shorter outlines" : "";
+        layers += all.Length > MostListed ? $" and {ReportNumber.Count(all.Length - MostListed)} with shorter outlines" : "";
         if (request.Layer is not { } name)
         {
             return drawing.Layers.Count == 1 ? drawing.Layers[0]
@@ -174,13 +285,10 @@ public sealed record OutlineJob
         string Laid()
         {
             string[] laid = [
-                .. lengths.Take(MostTried).Select(l => (Layer: l.Key, Share: ShareOf(l.Key))).Where(l => l.Share is not null)
+                .. all.Take(MostTried).Select(l => (Layer: l, Share: ShareOf(request, drawing, l, cuts))).Where(l => l.Share is not null)
                     .Select(l => string.Create(CultureInfo.InvariantCulture, $"{PrintedText.OneLine(l.Layer)} ({l.Share:0 %})"))];
             return laid.Length == 0 ? "" : $"On what the program cuts, these can be laid: {string.Join(", ", laid)}. ";
         }
-
-        double? ShareOf(string layer) => OutlineLaying.Of(
-            [.. Chains(drawing, layer).SelectMany(c => c)], cuts, request.ToolDiameterMm / 2)?.CoveredShare;
     }
 
     // The same drawing in another unit may be what was meant: then that is said, and not taken.
@@ -243,7 +351,7 @@ public sealed record OutlineJob
         NcPath path,
         CutPath cuts,
         string layer,
-        double unitMm,
+        DrawingUnit unit,
         OutlineLaying laying,
         Proposed[] features,
         List<string> notes)
@@ -282,23 +390,27 @@ public sealed record OutlineJob
         var table = Table(kept.SelectMany(k => k.Points));
         return new OutlineJob
         {
-            Job = Encoding.UTF8.GetBytes(JobText(request, laying.Frame, diameter, kept)),
+            Request = request,
+            Program = path.Program.Bytes,
+            Job = Encoding.UTF8.GetBytes(JobText(request, path.Program, laying.Frame, diameter, kept)),
             Theoretical = table,
             Layer = layer,
-            UnitMm = unitMm,
+            UnitMm = unit.Mm,
             Frame = laying.Frame,
             ToolDiameterMm = diameter,
             CoveredShare = laying.CoveredShare,
             RmsMm = Math.Sqrt(offs.Average(o => o * o)),
             LargestMm = offs.Max(Math.Abs),
             Features = [.. kept.Select(k => (k.Name, k.Kind, k.Points.Count(), k.Blocks))],
-            Notes = notes,
+            IsUnitAssumed = !unit.IsStated,
+            OtherWays = laying.Others,
+            Remarks = notes,
             Read = [request.Drawing, request.Program],
         };
 
         Refusal? Tried(Proposed one)
         {
-            var job = MatingJob.Parse(Encoding.UTF8.GetBytes(JobText(request, laying.Frame, diameter, [one])), request.Job);
+            var job = MatingJob.Parse(Encoding.UTF8.GetBytes(JobText(request, path.Program, laying.Frame, diameter, [one])), request.Job);
             var theoretical = MeasurementReader.Read(Table(one.Points), TheoreticalFile, MeasurementFormat.Points);
             return BoundarySearch.Try(job, path, theoretical, 0, one.Blocks);
         }
@@ -310,10 +422,14 @@ public sealed record OutlineJob
 
     private static string JobText(
         OutlineRequest request,
+        NcProgram program,
         RigidTransform2 frame,
         double diameter,
         IReadOnlyList<Proposed> features)
     {
+        // Line numbers mean blocks of this program alone.
+        var isByLine = features.SelectMany(f => f.Blocks).Any(b => BlockSelector.Parse(b).IsByLine);
+        var sha256 = isByLine ? $"\n    \"programSha256\": \"{DraftProgram.Of(program.Bytes).Sha256}\"," : "";
         var folder = Path.GetDirectoryName(Path.GetFullPath(request.Job))!;
         var text = new StringBuilder();
         text.Append(CultureInfo.InvariantCulture, $$"""
@@ -340,7 +456,7 @@ public sealed record OutlineJob
         return text.Append(CultureInfo.InvariantCulture, $$"""
               ],
               "counterpart": {
-                "program": {{JsonEdit.Text(FromFolder(request.Program))}},
+                "program": {{JsonEdit.Text(FromFolder(request.Program))}},{{sha256}}
                 "dialect": {{JsonEdit.Text(NcDialects.IsFile(request.Dialect) ? FromFolder(request.Dialect) : request.Dialect)}},
                 "toolDiameterMm": {{Number(diameter)}},
                 "frame": {
@@ -360,6 +476,10 @@ public sealed record OutlineJob
 
         string FromFolder(string file) => Path.GetRelativePath(folder, Path.GetFullPath(file)).Replace('\\', '/');
     }
+
+    // What a request names.
+    private sealed record Opened(NcPath Path, CutPath Cuts, Drawing Drawing);
+
     // A feature with its labels; its blocks once they are found.
     private sealed record Proposed(
         string Name,
@@ -370,6 +490,13 @@ public sealed record OutlineJob
         public IEnumerable<(string Label, Point2 At)> Points => Lists.SelectMany(l => l);
     }
 }
+
+/// <summary>A layer of a drawing, which may be the outline that mates.</summary>
+/// <param name="Name">Its name; of a STEP file the number of a flat face.</param>
+/// <param name="Curves">The number of its curves.</param>
+/// <param name="Place">Where it is, as the end of a sentence: <c> at Z 10 mm</c>; empty if nothing is known of that.</param>
+/// <param name="CoveredShare">The share of it that the program cuts; null if it cannot be laid on the program.</param>
+public sealed record OutlineLayer(string Name, int Curves, string Place, double? CoveredShare);
 
 /// <summary>A mating job that is wanted from a drawing and a program.</summary>
 /// <param name="Job">The job to write.</param>
@@ -387,4 +514,24 @@ public sealed record OutlineRequest(string Job, string Drawing, string Program, 
 
     /// <summary>Millimeters in the drawing's unit; null if the drawing says it.</summary>
     public double? UnitMm { get; init; }
+
+    /// <summary>The request of a draft: its control, and the tool that somebody named for a new job. That of a saved one belongs to its
+    /// own program.</summary>
+    /// <param name="draft">The draft.</param>
+    /// <param name="job">The job's file, for relative paths.</param>
+    /// <param name="drawing">The drawing.</param>
+    /// <param name="program">The counterpart's program.</param>
+    public static OutlineRequest For(MatingDraft draft, string job, string drawing, string program)
+    {
+        ArgumentNullException.ThrowIfNull(draft);
+        var dialect = draft.Counterpart.Dialect;
+        return new(
+            job,
+            drawing,
+            program,
+            NcDialects.IsFile(dialect) ? Path.Combine(Path.GetDirectoryName(Path.GetFullPath(job))!, dialect) : dialect)
+        {
+            ToolDiameterMm = draft.IsBegunAnew && DraftNumber.Value(draft.Counterpart.ToolDiameter) is > 0 and var mm ? mm : null,
+        };
+    }
 }

@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Security.Cryptography;
 using System.Text;
 using ErrorMatching.Geometry;
 using ErrorMatching.Mating;
@@ -150,6 +151,60 @@ public sealed class OutlineJobTests : IDisposable
         Assert.Contains("OUTLINE (6 curves), FRAME (1 curve)", missing.Problem, StringComparison.Ordinal);
         Assert.Equal("layer-unknown", Assert.Throws<InputException>(() => Make(two, layer: "outline")).Code);
         Assert.Equal(6, Made(two, layer: "OUTLINE").Features.Count);
+
+        // The same for somebody who chooses on a screen: the line of the frame is too short to lie anywhere.
+        var layers = OutlineJob.LayersOf(Request(null, null, null), TestContext.Current.CancellationToken).Result!;
+        Assert.Equal([("OUTLINE", 6, true), ("FRAME", 1, false)], layers.Select(l => (l.Name, l.Curves, l.CoveredShare is not null)));
+    }
+
+    // Lines are counted in this program only: in an edited one, others would be meant.
+    [Fact]
+    public void Blocks_by_line_come_with_the_hash_of_their_program()
+    {
+        var once = string.Join('\n', Program.Split('\n').Select(
+            l => l.StartsWith('N') ? l[(l.IndexOf(' ', StringComparison.Ordinal) + 1)..] : l));
+        var pass = once[once.IndexOf("X44.", StringComparison.Ordinal)..once.IndexOf("G0 Z50.", StringComparison.Ordinal)];
+        var plain = once.Replace("G0 Z50.", "G0 Z5.\nX-20. Y-4.\nG1 Z-10.\n" + pass + "G0 Z50.", StringComparison.Ordinal);
+        var made = Made(Polygon(Outline), plain);
+        Assert.All(made.Features, f => Assert.StartsWith("L", f.Blocks[0], StringComparison.Ordinal));
+        var counterpart = MatingJob.Parse(made.Job.Span, "job.json").Counterpart;
+        Assert.Equal(Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(plain))), counterpart.ProgramSha256);
+        Assert.Null(MatingJob.Parse(Made(Polygon(Outline)).Job.Span, "job.json").Counterpart.ProgramSha256);
+    }
+
+    // On the station's screen the outline lies over the path: one tool radius beside each cut.
+    [Fact]
+    public void The_outline_is_told_in_the_frame_of_the_program()
+    {
+        var hidden = new RigidTransform2(Mirror.X, Angle.FromDegrees(61.25), new(-300, 420));
+        var made = Made(Polygon([.. Outline.Select(hidden.Inverse().Apply)]));
+        Assert.All(Outline, p => Assert.Contains(made.Outline.SelectMany(l => l), o => o.DistanceTo(p) < 2e-4));
+    }
+
+    [Fact]
+    public void A_draft_takes_what_the_drawing_says_and_keeps_the_rest()
+    {
+        var made = Made(Polygon(Outline));
+        var draft = new MatingDraft
+        {
+            WorkOrder = "W1",
+            Gauge = new() { Format = "points", Uncertainty = "0.003" },
+            Counterpart = new() { Dialect = "fanuc", Map = "0.2" },
+            Alignment = new("datum", "A", "B"),
+            OtherPoints = [new("A", "1", "2", "")],
+        };
+        var taken = made.Into(draft);
+        Assert.Equal(("outline", "W1", "0.003"), (taken.Name, taken.WorkOrder, taken.Gauge.Uncertainty));
+        Assert.Equal(("fanuc", "0.2", "8", "program.nc"), (
+            taken.Counterpart.Dialect, taken.Counterpart.Map, taken.Counterpart.ToolDiameter, taken.Counterpart.Program));
+        Assert.Equal(["N40", "N50", "N60", "N70", "N80", "N90"], taken.Features.Select(f => f.Blocks));
+        Assert.All(taken.Features, f => Assert.Equal(("", ""), (f.Lower, f.Upper)));
+        Assert.Equal(Encoding.UTF8.GetBytes(Program), taken.Program!.Bytes.ToArray());
+
+        // What named points that are gone goes with them.
+        Assert.Empty(taken.OtherPoints);
+        Assert.Equal("none", taken.Alignment.Kind);
+        Assert.Equal("named", made.Into(draft with { Name = "named" }).Name);
     }
 
     // Under compensation the path is the boundary, and only a person knows the tool.
@@ -181,10 +236,16 @@ public sealed class OutlineJobTests : IDisposable
         var (dxf, nc) = (Path.Combine(_folder, "outline.dxf"), Path.Combine(_folder, "program.nc"));
         File.WriteAllText(dxf, drawing);
         File.WriteAllText(nc, program);
-        return OutlineJob.Of(
-            new(Path.Combine(_folder, "job.json"), dxf, nc, "fanuc") { ToolDiameterMm = tool, UnitMm = unit, Layer = layer },
-            TestContext.Current.CancellationToken);
+        return OutlineJob.Of(Request(tool, unit, layer), TestContext.Current.CancellationToken);
     }
+
+    private OutlineRequest Request(double? tool, double? unit, string? layer) =>
+        new(Path.Combine(_folder, "job.json"), Path.Combine(_folder, "outline.dxf"), Path.Combine(_folder, "program.nc"), "fanuc")
+        {
+            ToolDiameterMm = tool,
+            UnitMm = unit,
+            Layer = layer,
+        };
 
     private static string Polygon(Point2[] corners) => Dxf([
         .. corners.Select((p, i) => (

@@ -10,6 +10,7 @@ internal sealed class PointsViewModel : SetupViewModel, ITakesCodes
     private readonly ITimer _minute;
     private readonly SynchronizationContext _screen = SynchronizationContext.Current!;
     private readonly NoteField _features;
+    private readonly OutlineTaking _outline;
     private MatingDraft? _drawn;
 
     public PointsViewModel(ShellViewModel shell)
@@ -18,6 +19,8 @@ internal sealed class PointsViewModel : SetupViewModel, ITakesCodes
         WorkOrder = new(Editing, "$.workOrder", "Points.WorkOrder", d => d.WorkOrder, (d, t) => d with { WorkOrder = t });
         Workpiece = new(Editing, "$.name", "Points.Workpiece", d => d.Name, (d, t) => d with { Name = t });
         _features = new(Editing, "$.features", "Points.Features");
+        _outline = new(this, shell);
+        _outline.Shown += OnOutlineShown;
         Adds = [.. FeatureKinds.All.Select(k => new KindChoice(k, Adding(k)))];
         _minute = Station.Clock.CreateTimer(
             _ => _screen.Post(_ => OnPropertyChanged(nameof(Time)), null), null, TimeSpan.FromSeconds(1), TimeSpan.FromSeconds(1));
@@ -43,6 +46,15 @@ internal sealed class PointsViewModel : SetupViewModel, ITakesCodes
     public bool IsEmpty => Features.Count == 0;
 
     public IReadOnlyList<KindChoice> Adds { get; }
+
+    /// <summary>Makes features, blocks, frame and tool of the job from a drawing and a program.</summary>
+    public LongCommand FromDrawing => _outline.FromDrawing;
+
+    /// <summary>The outline of a drawing that is looked at before the job takes it; null while none is.</summary>
+    public OutlineChoice? Outline => _outline.Choice;
+
+    /// <summary>True while the form is shown instead of an outline.</summary>
+    public bool IsForm => Outline is null;
 
     /// <summary>A scanned code becomes the work order.</summary>
     public void TakeCode(string code)
@@ -104,6 +116,20 @@ internal sealed class PointsViewModel : SetupViewModel, ITakesCodes
         {
             choice.Refresh();
         }
+
+        FromDrawing.Refresh();
+    }
+
+    protected override void Translate()
+    {
+        Outline?.Translate();
+        base.Translate();
+    }
+
+    private void OnOutlineShown()
+    {
+        OnPropertyChanged(nameof(Outline));
+        OnPropertyChanged(nameof(IsForm));
     }
 
     // A new job starts at its first field.

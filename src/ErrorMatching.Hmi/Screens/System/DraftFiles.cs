@@ -18,15 +18,7 @@ internal sealed class DraftFiles
         (_screen, _shell) = (screen, shell);
         ReadPoints = new(_ => ReadPointsAsync(), () => Editing.CanEdit);
         ReadProgram = new(
-            async _ => await ReadAsync(
-                new(
-                    FileChoiceKind.Open,
-                    "System.ChooseProgram",
-                    [".nc", ".ngc", ".mpf", ".spf", ".cnc", ".tap", ".min", ".prg", ".h", ".txt"])
-                {
-                    Sample = DemoCell.ProgramFile
-                },
-                ImportProgramAsync),
+            async _ => await ReadAsync(FileChoice.OfProgram(DemoCell.ProgramFile), ImportProgramAsync),
             () => Editing.CanEdit);
     }
 

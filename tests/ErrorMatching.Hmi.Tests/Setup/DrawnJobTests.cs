@@ -1,0 +1,138 @@
+using Avalonia.Controls;
+
+namespace ErrorMatching.Hmi.Tests;
+
+/// <summary>A new job from a drawing and a program: nobody types a coordinate or picks a block.</summary>
+public sealed class DrawnJobTests
+{
+    // The blocks that the sample's own job names, with the two flanks of its triangle apart.
+    private static readonly string[] Blocks =
+        ["N100", "N120", "N140", "N160", "N180", "N200", "N210..N920", "N930", "N950", "N970"];
+
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public Task A_job_is_made_from_the_sample_s_drawing_with_at_most_twelve_taps(bool isChinese) => At(seat =>
+    {
+        if (isChinese)
+        {
+            seat.Seat.Tap("language");
+        }
+
+        var taps = 0;
+        Tap("nav-points");
+        seat.Settle();
+        Tap("setup-anew");
+        Tap("points-from-drawing");
+        seat.Seat.See("entry-outline.dxf");
+        Assert.Equal(Path.Combine(seat.Seat.Cell.SamplesFolder, "outline.dxf"), ((TextBox)seat.Seat.See("chooser-path")).Text);
+        Tap("chooser-confirm");
+        seat.Seat.See("entry-dovetail.nc");
+        Assert.Equal(Path.Combine(seat.Seat.Cell.SamplesFolder, "dovetail.nc"), ((TextBox)seat.Seat.See("chooser-path")).Text);
+
+        // The button is where that of the dialog before was: a tap at once is a habitual double tap, and opens nothing.
+        seat.Seat.User.Wait(TimeSpan.FromMilliseconds(600));
+        Tap("chooser-confirm");
+        var choice = Choice(seat);
+
+        // Which outline mates is asked, and nothing can be taken before somebody says so.
+        Assert.Equal(["OUTLINE", "CENTER"], choice.Layers.Select(l => l.Name));
+        Assert.False(seat.Seat.See("outline-take").IsEffectivelyEnabled);
+        Assert.Empty(choice.Picture.Outline);
+        Tap(choice.Layers.Single(l => l.Name == "OUTLINE").Id);
+        seat.Seat.WaitFor(() => choice.Picture.Outline.Count > 0, "The outline is not shown.");
+        Assert.StartsWith(isChinese ? "10 個特徵" : "10 features.", seat.TextOf("outline-found"), StringComparison.Ordinal);
+
+        // It lies where the program leaves it: the tool's radius below the path of the flat top.
+        Assert.Contains(choice.Picture.Outline.SelectMany(l => l), p => Math.Abs(p.Y) < 1e-3 && Math.Abs(p.X) < 40);
+        Assert.Empty(seat.Draft.Features);
+        Type("outline-lower", "-0.02");
+        Type("outline-upper", "+0.02");
+        Type("outline-uncertainty", "0.002");
+        Tap("outline-take");
+        seat.Settle();
+        Assert.Equal(Blocks, seat.Draft.Features.Select(f => f.Blocks));
+        Assert.All(seat.Draft.Features, f => Assert.Equal(("-0.02", "+0.02"), (f.Lower, f.Upper)));
+        Assert.Equal(("outline", "8", "dovetail.nc"), (
+            seat.Draft.Name, seat.Draft.Counterpart.ToolDiameter, seat.Draft.Counterpart.Program));
+        Assert.Equal("", string.Join('\n', seat.Shell.Editing.Problems));
+        Tap("setup-save");
+        seat.Seat.WaitFor(() => seat.Shell.Editing.Notice is not null && seat.Shell.Editing.IsBeside, "It is not saved.");
+        Assert.InRange(taps, 1, 12);
+
+        void Tap(string id)
+        {
+            taps++;
+            seat.Seat.Tap(id);
+        }
+
+        void Type(string id, string text)
+        {
+            taps++;
+            seat.Seat.Type(id, text);
+        }
+    });
+
+    [Fact]
+    public Task An_outline_that_the_program_does_not_cut_is_refused_and_nothing_changes() => At(seat =>
+    {
+        seat.Seat.Tap("nav-points");
+        seat.Settle();
+        var before = seat.Draft;
+        seat.Seat.Tap("points-from-drawing").See("entry-outline.dxf");
+        seat.Seat.Tap("chooser-confirm").Tap("entry-counterpart.nc").Tap("chooser-confirm");
+        var choice = Choice(seat);
+        seat.Seat.Tap(choice.Layers.Single(l => l.Name == "OUTLINE").Id);
+        seat.Seat.WaitFor(() => choice.Refused is not null, "Nothing is said.");
+        Assert.StartsWith("No way was found to lay the layer OUTLINE", seat.TextOf("outline-refused"), StringComparison.Ordinal);
+        Assert.False(seat.Seat.See("outline-take").IsEffectivelyEnabled);
+        seat.Seat.Tap("outline-leave").See("setup-save");
+        Assert.Same(before, seat.Draft);
+    });
+
+    [Fact]
+    public Task A_file_that_is_no_drawing_is_told_and_undo_brings_back_what_was_there() => At(seat =>
+    {
+        seat.Seat.Tap("nav-points");
+        seat.Settle();
+        var (before, broken) = (seat.Draft, Path.Combine(Path.GetDirectoryName(seat.JobFile)!, "broken.dxf"));
+        File.WriteAllText(broken, "0\nSECTION\n2\nENT");
+        seat.Seat.Tap("points-from-drawing").Type("chooser-path", broken).Tap("chooser-confirm");
+        seat.Seat.Tap("place-0").Tap("entry-counterpart.nc").Tap("chooser-confirm");
+        seat.Seat.WaitFor(() => seat.Seat.Find("setup-message") is not null, "Nothing is said.");
+        Assert.Contains("broken.dxf", seat.TextOf("setup-message"), StringComparison.Ordinal);
+        Assert.True(seat.Setup.IsForm);
+
+        // The tool of the job that is replaced, 6 mm, is not the one of this program.
+        seat.Seat.Tap("points-from-drawing").Tap("entry-outline.dxf").Tap("entry-dovetail.nc");
+        Assert.Equal("6", before.Counterpart.ToolDiameter);
+        var choice = Choice(seat);
+        seat.Seat.Tap(choice.Layers.Single(l => l.Name == "OUTLINE").Id);
+        seat.Seat.WaitFor(() => choice.Picture.Outline.Count > 0, "The outline is not shown.");
+        var pictures = new Pictures(seat.Seat);
+        pictures.Take("outline");
+        pictures.MustBeClean();
+        Texts.Current.Language = Language.English;
+        seat.Seat.Tap("outline-take");
+        seat.Settle();
+        Assert.Equal(Blocks, seat.Draft.Features.Select(f => f.Blocks));
+        Assert.Equal("8", seat.Draft.Counterpart.ToolDiameter);
+        seat.Seat.Tap("setup-undo");
+        Assert.True(seat.Draft.IsSame(before));
+    });
+
+    private static OutlineChoice Choice(SetupSeat seat)
+    {
+        seat.Seat.WaitFor(() => seat.Setup.Outline is not null, "No outline is shown.");
+        seat.Seat.User.Settle();
+        return seat.Setup.Outline!;
+    }
+
+    private static Task At(Action<SetupSeat> test) => Seat.AtAsync(
+        seat =>
+        {
+            seat.SignIn(DemoCell.Setter);
+            test(new(seat));
+        },
+        hasSamples: true);
+}
