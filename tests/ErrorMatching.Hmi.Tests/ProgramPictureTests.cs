@@ -102,17 +102,18 @@ public sealed class ProgramPictureTests
     }
 
     [Fact]
-    public async Task Whoever_may_not_cannot_pick_and_what_cannot_be_named_says_so()
+    public async Task Whoever_may_not_cannot_pick_and_what_reads_like_another_block_is_named_by_its_line()
     {
         var picture = new ProgramPicture(Open("G1 X1.\nX2.\nX1.\nX2.\n")) { Feature = "A", IsReadOnly = true };
         picture.Light(1);
         Assert.False(picture.Take.CanExecute(null) || picture.IsPicking);
         picture.IsReadOnly = false;
-        picture.RangeChosen += _ => Assert.Fail("It has no name of its own.");
+        var chosen = new List<RangeChoice>();
+        picture.RangeChosen += chosen.Add;
         picture.Take.Execute(null);
         await picture.Choosing;
-        Assert.Contains("line 4", picture.Message, StringComparison.Ordinal);
-        Assert.Equal(new BlockRange(1, 1), picture.Selection);
+        Assert.Equal(["L2"], Assert.Single(chosen).Blocks);
+        Assert.Null(picture.Selection);
     }
 
     [Fact]

@@ -19,7 +19,6 @@ public sealed class ProgramPicture : Observable
     private IReadOnlyList<DraftPlace> _points = [];
     private IReadOnlyList<IReadOnlyList<Point2>> _outline = [];
     private string? _feature;
-    private string? _message;
     private bool _isReadOnly;
     private bool _isWhole = true;
 
@@ -46,7 +45,6 @@ public sealed class ProgramPicture : Observable
         {
             if (Set(ref _selection, value))
             {
-                Message = null;
                 _isMoving = value is { } range && Program.IsMoving(range);
                 OnChoiceChanged();
             }
@@ -127,12 +125,8 @@ public sealed class ProgramPicture : Observable
     /// <summary>The current search for the selectors of picked blocks, or the last one.</summary>
     public Task Choosing { get; private set; } = Task.CompletedTask;
 
-    /// <summary>Why blocks could not be assigned, or what is wrong with the program; null if there is no message.</summary>
-    public string? Message
-    {
-        get => _message ?? Program.Problem;
-        private set => Set(ref _message, value);
-    }
+    /// <summary>What is wrong with the program; null if nothing is.</summary>
+    public string? Message => Program.Problem;
 
     /// <summary>The selection in words.</summary>
     public string Chosen =>
@@ -266,7 +260,6 @@ public sealed class ProgramPicture : Observable
             });
             // Clears the selection after use: the next feature needs other blocks.
             Selection = Selection == range ? null : Selection;
-            Message = null;
             RangeChosen?.Invoke(new(feature, words, isMore));
         }
         finally

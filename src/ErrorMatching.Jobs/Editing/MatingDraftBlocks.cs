@@ -35,19 +35,51 @@ public static class MatingDraftBlocks
             .Where(p => draft.Features[p.Feature].BlockList.Count == 0)];
     }
 
-    /// <summary>The draft that says for which program its blocks were chosen, if they are named by lines: in an edited program, other
-    /// blocks would be meant.</summary>
+    /// <summary>The draft with blocks for some of its features. Lines are those of one program: if blocks are named by lines, the draft
+    /// says of which, and lines that other features have of another program are taken away.</summary>
     /// <param name="draft">The draft.</param>
+    /// <param name="chosen">Indices of the features, with their selectors.</param>
     /// <param name="program">The program for which they were chosen.</param>
-    public static MatingDraft Pinned(MatingDraft draft, NcProgram program)
+    public static MatingDraft WithBlocks(MatingDraft draft, IReadOnlyList<(int Feature, string Blocks)> chosen, NcProgram program)
+    {
+        ArgumentNullException.ThrowIfNull(draft);
+        ArgumentNullException.ThrowIfNull(chosen);
+        ArgumentNullException.ThrowIfNull(program);
+        var sha256 = DraftProgram.Of(program.Bytes).Sha256;
+        var stated = draft.Counterpart.ProgramSha256;
+        draft = chosen.Aggregate(
+            stated.Length == 0 || IsSame(stated, sha256) ? draft : WithoutLines(draft),
+            (to, c) => to.WithFeature(c.Feature, f => f with { Blocks = c.Blocks }));
+
+        // Nobody said whose lines the others are.
+        var isKnown = stated.Length > 0 || draft.Features.Index().All(f => !HasLines(f.Item) || chosen.Any(c => c.Feature == f.Index));
+        return !isKnown || !draft.Features.Any(HasLines) ? draft
+            : draft with { Counterpart = draft.Counterpart with { ProgramSha256 = sha256 } };
+    }
+
+    /// <summary>The draft with another program. Lines of the one before would mean other blocks, and are taken away.</summary>
+    /// <param name="draft">The draft.</param>
+    /// <param name="program">The program.</param>
+    /// <param name="name">Its name.</param>
+    public static MatingDraft WithProgram(MatingDraft draft, DraftProgram program, string name)
     {
         ArgumentNullException.ThrowIfNull(draft);
         ArgumentNullException.ThrowIfNull(program);
-        return !draft.Features.Any(f => f.BlockList.Any(IsByLine)) ? draft : draft with
+        var isSame = IsSame(draft.Counterpart.ProgramSha256, program.Sha256);
+        draft = isSame ? draft : WithoutLines(draft);
+        return draft with
         {
-            Counterpart = draft.Counterpart with { ProgramSha256 = DraftProgram.Of(program.Bytes).Sha256 },
+            Program = program,
+            Counterpart = draft.Counterpart with { Program = name, ProgramSha256 = isSame ? program.Sha256 : "" },
         };
     }
+
+    private static bool IsSame(string stated, string sha256) => string.Equals(stated, sha256, StringComparison.OrdinalIgnoreCase);
+
+    private static MatingDraft WithoutLines(MatingDraft draft) =>
+        draft with { Features = [.. draft.Features.Select(f => HasLines(f) ? f with { Blocks = "" } : f)] };
+
+    private static bool HasLines(FeatureDraft feature) => feature.BlockList.Any(IsByLine);
 
     // As a user types it, a selector may be none.
     private static bool IsByLine(string selector)

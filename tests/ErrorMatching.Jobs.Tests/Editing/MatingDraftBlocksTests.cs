@@ -71,6 +71,33 @@ public sealed class MatingDraftBlocksTests
         Assert.Equal(@"/^X-34\.995\ Y59\.757$/", Assert.Single(Assert.Single(proposed).Blocks));
     }
 
+    // An edited program has other blocks in the same lines: they must not be taken for those that somebody looked at.
+    [Fact]
+    public void Lines_are_kept_with_the_hash_of_their_program_and_go_with_it()
+    {
+        var (one, other) = (NcProgram.FromText("X1\nX2\nX2\n"), NcProgram.FromText("X0\nX1\nX2\nX2\n"));
+        var draft = Without(MatingDraftFiles.Open(Job), 0, 1);
+        Assert.Empty(MatingDraftBlocks.WithBlocks(draft, [(0, "N120")], one).Counterpart.ProgramSha256);
+        var lines = MatingDraftBlocks.WithBlocks(draft, [(0, "L2"), (1, "L3")], one);
+        Assert.Equal(DraftProgram.Of(one.Bytes).Sha256, lines.Counterpart.ProgramSha256);
+
+        // One more feature of another program: the line of the first one is gone, the number of the last one stays.
+        var mixed = MatingDraftBlocks.WithBlocks(lines, [(1, "L4")], other);
+        Assert.Equal(["", "L4", "N170..N1190"], mixed.Features.Select(f => f.Blocks));
+        Assert.Equal(DraftProgram.Of(other.Bytes).Sha256, mixed.Counterpart.ProgramSha256);
+
+        // The same when another program is imported, and not when it is the same.
+        var imported = MatingDraftBlocks.WithProgram(lines, DraftProgram.Of(other.Bytes), "other.nc");
+        Assert.Equal(["", "", "N170..N1190"], imported.Features.Select(f => f.Blocks));
+        Assert.Equal(("other.nc", ""), (imported.Counterpart.Program, imported.Counterpart.ProgramSha256));
+        Assert.Equal(lines.Features, MatingDraftBlocks.WithProgram(lines, DraftProgram.Of(one.Bytes), "one.nc").Features);
+
+        // Lines of which nobody said whose they are stay, and nothing is said for them.
+        var unsaid = lines with { Counterpart = lines.Counterpart with { ProgramSha256 = "" } };
+        var added = MatingDraftBlocks.WithBlocks(unsaid, [(1, "L4")], other);
+        Assert.Equal(("L2", "L4", ""), (added.Features[0].Blocks, added.Features[1].Blocks, added.Counterpart.ProgramSha256));
+    }
+
     private static NcPath Interpreted(ReadOnlyMemory<byte> bytes) =>
         NcInterpreter.Run(NcProgram.Read(bytes, NcDialects.DeltaNc300.Syntax), NcDialects.DeltaNc300);
 

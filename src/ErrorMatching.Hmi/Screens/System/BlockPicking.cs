@@ -158,8 +158,7 @@ internal sealed class BlockPicking
         {
             var blocks = string.Join(
                 ", ", choice.IsMore ? [.. _editing.Draft.Features[feature].BlockList, .. choice.Blocks] : choice.Blocks);
-            _editing.Change("", d => MatingDraftBlocks.Pinned(
-                d.WithFeature(feature, f => f with { Blocks = blocks }), Picture!.Program.Path.Program));
+            _editing.Change("", d => MatingDraftBlocks.WithBlocks(d, [(feature, blocks)], Picture!.Program.Path.Program));
             _picked = choice.IsMore ? feature : NextPicked(feature);
             Show();
         }
@@ -180,9 +179,7 @@ internal sealed class BlockPicking
 
         var found = proposed.Where(p => p.Blocks.Count > 0).ToArray();
         _editing.Change(
-            "", d => MatingDraftBlocks.Pinned(
-                found.Aggregate(d, (to, p) => to.WithFeature(p.Feature, f => f with { Blocks = string.Join(", ", p.Blocks) })),
-                path.Program));
+            "", d => MatingDraftBlocks.WithBlocks(d, [.. found.Select(p => (p.Feature, string.Join(", ", p.Blocks)))], path.Program));
         _picked = NextPicked(_picked);
         Show();
         string[] missed = [.. proposed.Where(p => p.Blocks.Count == 0).Select(p => p.Name)];

@@ -41,7 +41,7 @@ internal sealed class DraftFiles
         DraftProgram? program = null;
         if (await _screen.TryAsync(() => program = DraftProgram.Of(InputFile.Program(path))))
         {
-            Editing.Change("", d => d with { Program = program, Counterpart = d.Counterpart with { Program = Path.GetFileName(path) } });
+            Editing.Change("", d => MatingDraftBlocks.WithProgram(d, program!, Path.GetFileName(path)));
         }
     }
 
