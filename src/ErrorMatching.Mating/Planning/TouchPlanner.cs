@@ -104,6 +104,11 @@ public static class TouchPlanner
             }
         }
 
+        if (Unreached(elements) is { } refusal)
+        {
+            return refusal;
+        }
+
         BoundaryElement[] stretched = [.. elements.Select(e => e.Stretch).OfType<BoundaryElement>()];
         foreach (var run in BoundaryRun.Of(path, stretched, job.Counterpart.ToolDiameterMm))
         {
@@ -118,11 +123,6 @@ public static class TouchPlanner
         if (elements.Where(e => e.IsLine && e.FormMm is null).MaxBy(e => e.LengthMm) is { } telling)
         {
             telling.TellsForm();
-        }
-
-        if (Unreached(elements) is { } refusal)
-        {
-            return refusal;
         }
 
         var choice = new Choice(job, elements, stylusDiameterMm, predict);
@@ -274,7 +274,9 @@ public static class TouchPlanner
         MatingJob job, List<Element> elements, double stylusDiameterMm, Func<TouchPlan, int, PlanPrediction> predict)
     {
         private readonly Dictionary<string, PlanPrediction> _told = new(StringComparer.Ordinal);
-        private readonly List<string> _notes = [];
+
+        // The features of which more points tell no more.
+        private readonly HashSet<int> _settled = [];
 
         // The elements of which more was told by one more point, in the order in which they got it.
         private readonly List<int> _added = [];
@@ -284,13 +286,11 @@ public static class TouchPlanner
         // Gives points to what is known least until all is known as well as is wanted, or more points tell no more.
         public void Narrow()
         {
-            var settled = new HashSet<int>();
-            while (Least(settled) is var (feature, bound))
+            while (Least() is var (feature, bound))
             {
                 if (!TellMoreOf(feature, bound))
                 {
-                    settled.Add(feature);
-                    _notes.Add(Note(feature));
+                    _settled.Add(feature);
                 }
             }
         }
@@ -303,19 +303,25 @@ public static class TouchPlanner
                 fewer[element]--;
             }
 
-            return Told(_counts) with { Notes = _notes, TwoLess = _added.Count < 2 ? null : Told(fewer) };
+            // Points that others got since may tell enough.
+            var plan = Told(_counts);
+            return plan with
+            {
+                Notes = [.. _settled.Order().Where(f => Share(plan.Prediction!, f) > 1).Select(Note)],
+                TwoLess = _added.Count < 2 ? null : Told(fewer),
+            };
         }
 
         private TouchPlan Told(int[] counts) => Of(counts) with { Prediction = Predict(counts, PlanPrediction.Draws) };
 
         // The feature of which least is known, if that is not enough; by all parts if a few say that all is known.
-        private (int Feature, PlannedBound Bound)? Least(HashSet<int> settled)
+        private (int Feature, PlannedBound Bound)? Least()
         {
             foreach (var parts in new[] { PartsToChoose, PlanPrediction.Draws })
             {
                 var told = Predict(_counts, parts);
                 var least = told.Parts == 0 ? -1 : Enumerable.Range(0, told.Features.Count)
-                    .Where(f => !settled.Contains(f) && Share(told, f) > 1)
+                    .Where(f => !_settled.Contains(f) && Share(told, f) > 1)
                     .OrderByDescending(f => Share(told, f))
                     .Append(-1).First();
                 if (least >= 0)
@@ -491,10 +497,10 @@ public static class TouchPlanner
         // A point in the middle tells how large form errors are.
         public void TellsForm()
         {
-            Least = Math.Max(Least, 3);
             var middle = (_places[0].AlongMm + _places[1].AlongMm) / 2;
             if (Others.MinBy(p => Math.Abs(p.AlongMm - middle)) is { } place)
             {
+                Least = Math.Max(Least, 3);
                 Take(place);
             }
         }

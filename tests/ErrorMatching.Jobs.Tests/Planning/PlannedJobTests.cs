@@ -154,7 +154,8 @@ public sealed class PlannedJobTests
     public void A_feature_beside_the_plane_and_points_out_of_reach_are_refused()
     {
         using var folder = Copied("dovetail");
-        Assert.Equal("out-of-reach", PlannedJob.Of(folder["job.json"], folder["plan"], 60, null, Token).Refusal!.Code);
+        Assert.All([60.0, 400], ball => Assert.Equal(
+            "out-of-reach", PlannedJob.Of(folder["job.json"], folder["plan"], ball, null, Token).Refusal!.Code));
         File.WriteAllText(
             folder["job.json"],
             File.ReadAllText(folder["job.json"]).Replace(
