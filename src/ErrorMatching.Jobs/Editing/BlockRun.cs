@@ -34,7 +34,10 @@ public static class BlockRun
 
         var sought = job.Features.Select(f => Sought(job, f, theoretical)).ToArray();
         var proposed = BlockProposal.Of(path, sought, job.Counterpart.ToolDiameterMm, job.Counterpart.MapMm);
-        return new FoundBlocks(job, program, path, [.. proposed.Select(p => Tried(job, path, theoretical, p))], files.Read, bytes);
+
+        // Blocks that are found now are for the program as it is now.
+        var now = job with { Counterpart = job.Counterpart with { ProgramSha256 = null } };
+        return new FoundBlocks(job, program, path, [.. proposed.Select(p => Tried(now, path, theoretical, p))], files.Read, bytes);
     }
 
     private static SoughtBoundary Sought(MatingJob job, JobFeature feature, MeasurementFile theoretical) =>

@@ -61,15 +61,21 @@ public sealed record FoundBlocks(
             .. Hash(root["counterpart"])]);
     }
 
-    // Lines are those of this program alone.
+    // Lines are those of this program alone, and all blocks of the job were found in it or name what was found.
     private IEnumerable<JsonEdit> Hash(JsonItem counterpart)
     {
-        if (Features.Index().Any(f => !IsInJob(f.Index) && f.Item.Blocks.Any(b => BlockSelector.Parse(b).IsByLine)))
+        var hasNewLines = Features.Index().Any(f => !IsInJob(f.Index) && f.Item.Blocks.Any(b => BlockSelector.Parse(b).IsByLine));
+        var sha256 = DraftProgram.Of(Path.Program.Bytes).Sha256;
+        if (counterpart.Find("programSha256") is { } stated)
         {
-            var sha256 = JsonEdit.Text(DraftProgram.Of(Path.Program.Bytes).Sha256);
-            yield return counterpart.Find("programSha256") is { } stated
-                ? new(stated.Bytes, sha256)
-                : new(After(counterpart["program"]), ", \"programSha256\": " + sha256);
+            if (!string.Equals(stated.Text, sha256, StringComparison.OrdinalIgnoreCase))
+            {
+                yield return new(stated.Bytes, JsonEdit.Text(sha256));
+            }
+        }
+        else if (hasNewLines)
+        {
+            yield return new(After(counterpart["program"]), ", \"programSha256\": " + JsonEdit.Text(sha256));
         }
     }
 

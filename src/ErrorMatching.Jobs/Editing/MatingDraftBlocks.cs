@@ -36,25 +36,34 @@ public static class MatingDraftBlocks
     }
 
     /// <summary>The draft with blocks for some of its features. Lines are those of one program: if blocks are named by lines, the draft
-    /// says of which, and lines that other features have of another program are taken away.</summary>
+    /// says of which, and lines that features have of another program are taken away.</summary>
     /// <param name="draft">The draft.</param>
     /// <param name="chosen">Indices of the features, with their selectors.</param>
     /// <param name="program">The program for which they were chosen.</param>
-    public static MatingDraft WithBlocks(MatingDraft draft, IReadOnlyList<(int Feature, string Blocks)> chosen, NcProgram program)
+    /// <param name="isMore">True to add them to the blocks that the features have.</param>
+    public static MatingDraft WithBlocks(
+        MatingDraft draft, IReadOnlyList<(int Feature, IReadOnlyList<string> Blocks)> chosen, NcProgram program, bool isMore = false)
     {
         ArgumentNullException.ThrowIfNull(draft);
         ArgumentNullException.ThrowIfNull(chosen);
         ArgumentNullException.ThrowIfNull(program);
-        var sha256 = DraftProgram.Of(program.Bytes).Sha256;
-        var stated = draft.Counterpart.ProgramSha256;
-        draft = chosen.Aggregate(
-            stated.Length == 0 || IsSame(stated, sha256) ? draft : WithoutLines(draft),
-            (to, c) => to.WithFeature(c.Feature, f => f with { Blocks = c.Blocks }));
+        var (sha256, stated) = (DraftProgram.Of(program.Bytes).Sha256, draft.Counterpart.ProgramSha256);
+        var before = stated.Length == 0 || IsSame(stated, sha256) ? draft : WithoutLines(draft);
 
-        // Nobody said whose lines the others are.
-        var isKnown = stated.Length > 0 || draft.Features.Index().All(f => !HasLines(f.Item) || chosen.Any(c => c.Feature == f.Index));
-        return !isKnown || !draft.Features.Any(HasLines) ? draft
-            : draft with { Counterpart = draft.Counterpart with { ProgramSha256 = sha256 } };
+        // Nobody said whose lines those are that stay.
+        var isUnknown = stated.Length == 0
+            && before.Features.Index().Any(f => HasLines(f.Item) && (isMore || chosen.All(c => c.Feature != f.Index)));
+        var after = chosen.Aggregate(before, (to, c) => to.WithFeature(c.Feature, f => f with
+        {
+            Blocks = string.Join(", ", isMore ? [.. f.BlockList, .. c.Blocks] : c.Blocks),
+        }));
+        return after with
+        {
+            Counterpart = after.Counterpart with
+            {
+                ProgramSha256 = isUnknown ? "" : after.Features.Any(HasLines) ? sha256 : IsSame(stated, sha256) ? stated : "",
+            },
+        };
     }
 
     /// <summary>The draft with another program. Lines of the one before would mean other blocks, and are taken away.</summary>
@@ -65,12 +74,14 @@ public static class MatingDraftBlocks
     {
         ArgumentNullException.ThrowIfNull(draft);
         ArgumentNullException.ThrowIfNull(program);
-        var isSame = IsSame(draft.Counterpart.ProgramSha256, program.Sha256);
-        draft = isSame ? draft : WithoutLines(draft);
+        var stated = draft.Counterpart.ProgramSha256;
+        var isFirst = stated.Length == 0 && draft.Program is null && draft.Counterpart.Program.Length == 0;
+        var isSame = IsSame(stated.Length > 0 ? stated : draft.Program?.Sha256 ?? "", program.Sha256);
+        draft = isFirst || isSame ? draft : WithoutLines(draft);
         return draft with
         {
             Program = program,
-            Counterpart = draft.Counterpart with { Program = name, ProgramSha256 = isSame ? program.Sha256 : "" },
+            Counterpart = draft.Counterpart with { Program = name, ProgramSha256 = isSame ? stated : "" },
         };
     }
 

@@ -113,6 +113,17 @@ public sealed class BlockRunTests
         Assert.Equal(["L19"], found.Features[0].Blocks);
         var counterpart = MatingJob.Parse(found.JobAt(shop["new.json"]), shop["new.json"]).Counterpart;
         Assert.Equal(Convert.ToHexStringLower(SHA256.HashData(File.ReadAllBytes(shop["counterpart.nc"]))), counterpart.ProgramSha256);
+
+        // Whoever edits the program finds them again: in other lines, with another hash.
+        File.WriteAllBytes(shop["new.json"], found.JobAt(shop["new.json"]));
+        File.WriteAllText(shop["counterpart.nc"], "(EDITED)\n" + File.ReadAllText(shop["counterpart.nc"]));
+        var again = BlockRun.Of(shop["new.json"], CancellationToken.None).Result!;
+        Assert.Empty(again.Refusals);
+        Assert.Equal(["L20"], again.Features[0].Blocks);
+        Assert.False(again.IsInJob(0));
+        Assert.Equal(
+            Convert.ToHexStringLower(SHA256.HashData(File.ReadAllBytes(shop["counterpart.nc"]))),
+            MatingJob.Parse(again.JobAt(shop["newer.json"]), shop["newer.json"]).Counterpart.ProgramSha256);
     }
 
     [Fact]

@@ -77,14 +77,20 @@ public sealed class MatingDraftBlocksTests
     {
         var (one, other) = (NcProgram.FromText("X1\nX2\nX2\n"), NcProgram.FromText("X0\nX1\nX2\nX2\n"));
         var draft = Without(MatingDraftFiles.Open(Job), 0, 1);
-        Assert.Empty(MatingDraftBlocks.WithBlocks(draft, [(0, "N120")], one).Counterpart.ProgramSha256);
-        var lines = MatingDraftBlocks.WithBlocks(draft, [(0, "L2"), (1, "L3")], one);
+        Assert.Empty(MatingDraftBlocks.WithBlocks(draft, [(0, ["N120"])], one).Counterpart.ProgramSha256);
+        var lines = MatingDraftBlocks.WithBlocks(draft, [(0, ["L2"]), (1, ["L3"])], one);
         Assert.Equal(DraftProgram.Of(one.Bytes).Sha256, lines.Counterpart.ProgramSha256);
 
         // One more feature of another program: the line of the first one is gone, the number of the last one stays.
-        var mixed = MatingDraftBlocks.WithBlocks(lines, [(1, "L4")], other);
+        var mixed = MatingDraftBlocks.WithBlocks(lines, [(1, ["L4"])], other);
         Assert.Equal(["", "L4", "N170..N1190"], mixed.Features.Select(f => f.Blocks));
         Assert.Equal(DraftProgram.Of(other.Bytes).Sha256, mixed.Counterpart.ProgramSha256);
+
+        // What is added to a feature does not bring its old lines back; numbers instead of lines need no hash.
+        var more = MatingDraftBlocks.WithBlocks(lines, [(0, ["L4"])], other, isMore: true);
+        Assert.Equal(["L4", "", "N170..N1190"], more.Features.Select(f => f.Blocks));
+        Assert.Equal("L2, L3", MatingDraftBlocks.WithBlocks(lines, [(0, ["L3"])], one, isMore: true).Features[0].Blocks);
+        Assert.Empty(MatingDraftBlocks.WithBlocks(lines, [(0, ["N1"]), (1, ["N2"])], other).Counterpart.ProgramSha256);
 
         // The same when another program is imported, and not when it is the same.
         var imported = MatingDraftBlocks.WithProgram(lines, DraftProgram.Of(other.Bytes), "other.nc");
@@ -94,8 +100,13 @@ public sealed class MatingDraftBlocksTests
 
         // Lines of which nobody said whose they are stay, and nothing is said for them.
         var unsaid = lines with { Counterpart = lines.Counterpart with { ProgramSha256 = "" } };
-        var added = MatingDraftBlocks.WithBlocks(unsaid, [(1, "L4")], other);
+        var added = MatingDraftBlocks.WithBlocks(unsaid, [(1, ["L4"])], other);
         Assert.Equal(("L2", "L4", ""), (added.Features[0].Blocks, added.Features[1].Blocks, added.Counterpart.ProgramSha256));
+        Assert.Empty(MatingDraftBlocks.WithBlocks(unsaid, [(0, ["L4"]), (1, ["L4"])], other, isMore: true).Counterpart.ProgramSha256);
+
+        // Typed before the first program, they are for it.
+        var typed = unsaid with { Program = null, Counterpart = unsaid.Counterpart with { Program = "" } };
+        Assert.Equal("L2", MatingDraftBlocks.WithProgram(typed, DraftProgram.Of(one.Bytes), "one.nc").Features[0].Blocks);
     }
 
     private static NcPath Interpreted(ReadOnlyMemory<byte> bytes) =>

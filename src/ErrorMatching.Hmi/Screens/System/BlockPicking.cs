@@ -1,4 +1,5 @@
 using ErrorMatching.Jobs;
+using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi;
@@ -105,8 +106,9 @@ internal sealed class BlockPicking
         if (await Task.Run(() => Open(of, draft)) is { } opened && of == _of)
         {
             _marked = "";
-            Picture = new(opened);
-            Picture.RangeChosen += TakeBlocks;
+            var picture = new ProgramPicture(opened);
+            picture.RangeChosen += choice => TakeBlocks(picture, choice);
+            Picture = picture;
             Show();
             await _marking;
         }
@@ -151,14 +153,14 @@ internal sealed class BlockPicking
         picture.Points = await Task.Run(() => MatingDraftPlaces.Of(draft).Where(p => p.Plane == plane).ToArray());
     }
 
-    private void TakeBlocks(RangeChoice choice)
+    // Another program may have been opened since the blocks were chosen.
+    private void TakeBlocks(ProgramPicture picture, RangeChoice choice)
     {
         var feature = _picked;
-        if (_editing.CanEdit && feature < _editing.Draft.Features.Count)
+        if (picture == Picture && _editing.CanEdit && feature < _editing.Draft.Features.Count)
         {
-            var blocks = string.Join(
-                ", ", choice.IsMore ? [.. _editing.Draft.Features[feature].BlockList, .. choice.Blocks] : choice.Blocks);
-            _editing.Change("", d => MatingDraftBlocks.WithBlocks(d, [(feature, blocks)], Picture!.Program.Path.Program));
+            _editing.Change("", d => MatingDraftBlocks.WithBlocks(
+                d, [(feature, choice.Blocks)], picture.Program.Path.Program, choice.IsMore));
             _picked = choice.IsMore ? feature : NextPicked(feature);
             Show();
         }
@@ -167,19 +169,24 @@ internal sealed class BlockPicking
     // A proposal: the user checks it, and can undo it in one step.
     private async Task FindBlocksAsync(CancellationToken end)
     {
-        var path = Picture!.Program.Path;
         MatingDraft draft;
+        NcPath path;
         IReadOnlyList<ProposedBlocks> proposed;
         do
         {
-            draft = _editing.Draft;
+            if (Picture is not { } picture)
+            {
+                return;
+            }
+
+            (draft, path) = (_editing.Draft, picture.Program.Path);
             proposed = await Task.Run(() => MatingDraftBlocks.Propose(draft, path), end);
         }
-        while (!ReferenceEquals(draft, _editing.Draft));
+        while (!ReferenceEquals(draft, _editing.Draft) || !ReferenceEquals(path, Picture?.Program.Path));
 
         var found = proposed.Where(p => p.Blocks.Count > 0).ToArray();
         _editing.Change(
-            "", d => MatingDraftBlocks.WithBlocks(d, [.. found.Select(p => (p.Feature, string.Join(", ", p.Blocks)))], path.Program));
+            "", d => MatingDraftBlocks.WithBlocks(d, [.. found.Select(p => (p.Feature, p.Blocks))], path.Program));
         _picked = NextPicked(_picked);
         Show();
         string[] missed = [.. proposed.Where(p => p.Blocks.Count == 0).Select(p => p.Name)];
