@@ -83,7 +83,6 @@ public sealed partial class PathPlot
         }
     }
 
-    // A ring at the start of the selection, a dot at its end.
     private void DrawOutline(DrawingContext context, PlotView view)
     {
         var pen = new Pen(OutlineBrush, DrawnSizes.Thick, lineJoin: PenLineJoin.Bevel);
@@ -99,6 +98,7 @@ public sealed partial class PathPlot
         }
     }
 
+    // A ring at the start of the selection, a dot at its end.
     private void DrawEnds(DrawingContext context, PlotView view, OpenedProgram program)
     {
         if (Picture!.Selection is { } range && program.MotionsOf(range) is var (first, last))

@@ -32,6 +32,10 @@ public sealed record OutlineJob
     // Rotations nearer than this to quarter turns are those, degrees: a meter is turned by 5 um. The key points say what that leaves.
     private const double QuarterDegrees = 0.0003;
 
+    /// <summary>Code of the refusal of a drawing that lies on the program in another unit, which is the only value of the refusal:
+    /// <c>mm</c> or <c>inch</c>.</summary>
+    public const string OtherUnit = "drawing-unit";
+
     /// <summary>Name of the file of the key points as designed, beside the job.</summary>
     public const string TheoreticalFile = "theoretical.csv";
 
@@ -125,7 +129,7 @@ public sealed record OutlineJob
     /// <summary>The layers of a drawing, one of which mates, with what a program cuts of them.</summary>
     /// <param name="request">The drawing and the program; its layer is not looked at.</param>
     /// <param name="cancellation">Cancels between layers.</param>
-    /// <returns>The layers with the longest outlines, longest first; a refusal if nothing can be laid on the program at all.</returns>
+    /// <returns>The layers, the longest outline first; a refusal if nothing can be laid on the program at all.</returns>
     /// <exception cref="InputException">As <see cref="Of"/>.</exception>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
     public static Outcome<OutlineLayer[]> LayersOf(OutlineRequest request, CancellationToken cancellation)
@@ -137,11 +141,14 @@ public sealed record OutlineJob
             return Outcome.Refused<OutlineLayer[]>(opened.Refusals);
         }
 
-        return Longest(drawing).Take(MostTried).Select(l =>
+        return Longest(drawing).Index().Select(l =>
         {
             cancellation.ThrowIfCancellationRequested();
-            return new OutlineLayer(
-                l, drawing.Curves.Count(c => c.Layer == l), drawing.Places.GetValueOrDefault(l) ?? "", ShareOf(request, drawing, l, cuts));
+            return new OutlineLayer(l.Item, drawing.Curves.Count(c => c.Layer == l.Item), drawing.Places.GetValueOrDefault(l.Item) ?? "")
+            {
+                IsTried = l.Index < MostTried,
+                CoveredShare = l.Index < MostTried ? ShareOf(request, drawing, l.Item, cuts) : null,
+            };
         }).ToArray();
     }
 
@@ -197,9 +204,11 @@ public sealed record OutlineJob
             OriginPoint = "",
             OriginLimit = "",
             Comparisons = [],
+            Gauge = draft.Gauge.LabelsJson.TrimStart().StartsWith('[') ? draft.Gauge with { LabelsJson = "" } : draft.Gauge,
             Counterpart = draft.Counterpart with
             {
                 Program = Path.GetFileName(Request.Program),
+                Measured = "",
                 ProgramSha256 = made.Counterpart.ProgramSha256,
                 ToolDiameter = made.Counterpart.ToolDiameter,
                 Mirror = made.Counterpart.Mirror,
@@ -213,9 +222,13 @@ public sealed record OutlineJob
 
     private static Outcome<Opened> Open(OutlineRequest request, CancellationToken cancellation)
     {
-        var dialect = InputFile.Dialect(request.Dialect);
+        var dialect = InputFile.Dialect(request.Dialect).With(request.BlockSkip);
+        dialect = request.Assumed.Count > 0 ? dialect.With(request.Assumed) : dialect;
         var path = NcInterpreter.Run(
-            NcProgram.Read(InputFile.Program(request.Program)), dialect, new ProgramFolder(request.Program, []).Find, cancellation);
+            NcProgram.Read(InputFile.Program(request.Program)),
+            dialect,
+            new ProgramFolder(request.Program, request.Libraries).Find,
+            cancellation);
         if (path.Refusal is { } refusal)
         {
             return refusal.In(request.Program);
@@ -302,11 +315,14 @@ public sealed record OutlineJob
             {
                 var said = drawing.Unit.IsStated ? "says that its unit is" : "does not say its unit; it was tried as";
                 return new(
-                    "drawing-unit",
+                    OtherUnit,
                     string.Create(
                         CultureInfo.InvariantCulture,
                         $"{request.Drawing} {said} {drawing.Unit.Mm:0.######} mm, and lies on the program in {word}. If that is "
-                            + $"meant, give --unit {word}."));
+                            + $"meant, give --unit {word}."))
+                {
+                    Values = [word],
+                };
             }
         }
 
@@ -495,8 +511,14 @@ public sealed record OutlineJob
 /// <param name="Name">Its name; of a STEP file the number of a flat face.</param>
 /// <param name="Curves">The number of its curves.</param>
 /// <param name="Place">Where it is, as the end of a sentence: <c> at Z 10 mm</c>; empty if nothing is known of that.</param>
-/// <param name="CoveredShare">The share of it that the program cuts; null if it cannot be laid on the program.</param>
-public sealed record OutlineLayer(string Name, int Curves, string Place, double? CoveredShare);
+public sealed record OutlineLayer(string Name, int Curves, string Place)
+{
+    /// <summary>True if it was laid on the program: only some of many are.</summary>
+    public bool IsTried { get; init; }
+
+    /// <summary>The share of its length that the program cuts; null if it cannot be laid on the program, or was not tried.</summary>
+    public double? CoveredShare { get; init; }
+}
 
 /// <summary>A mating job that is wanted from a drawing and a program.</summary>
 /// <param name="Job">The job to write.</param>
@@ -515,8 +537,17 @@ public sealed record OutlineRequest(string Job, string Drawing, string Program, 
     /// <summary>Millimeters in the drawing's unit; null if the drawing says it.</summary>
     public double? UnitMm { get; init; }
 
-    /// <summary>The request of a draft: its control, and the tool that somebody named for a new job. That of a saved one belongs to its
-    /// own program.</summary>
+    /// <summary>State of the machine's block skip switches.</summary>
+    public BlockSkip BlockSkip { get; init; }
+
+    /// <summary>Values that the machine has and the program does not state.</summary>
+    public AssumedValues Assumed { get; init; } = AssumedValues.None;
+
+    /// <summary>Folders with programs that this one calls.</summary>
+    public IReadOnlyList<string> Libraries { get; init; } = [];
+
+    /// <summary>The request of a draft: its control with what is stated of it, and the tool that somebody named for an empty job. Another
+    /// one belongs to its own program.</summary>
     /// <param name="draft">The draft.</param>
     /// <param name="job">The job's file, for relative paths.</param>
     /// <param name="drawing">The drawing.</param>
@@ -524,14 +555,17 @@ public sealed record OutlineRequest(string Job, string Drawing, string Program, 
     public static OutlineRequest For(MatingDraft draft, string job, string drawing, string program)
     {
         ArgumentNullException.ThrowIfNull(draft);
-        var dialect = draft.Counterpart.Dialect;
-        return new(
-            job,
-            drawing,
-            program,
-            NcDialects.IsFile(dialect) ? Path.Combine(Path.GetDirectoryName(Path.GetFullPath(job))!, dialect) : dialect)
+        var folder = Path.GetDirectoryName(Path.GetFullPath(job))!;
+        var (counterpart, dialect) = (draft.Counterpart, draft.Counterpart.Dialect);
+        var isEmpty = draft is { IsBegunAnew: true, Program: null, Features.Count: 0 };
+        return new(job, drawing, program, NcDialects.IsFile(dialect) ? Path.Combine(folder, dialect) : dialect)
         {
-            ToolDiameterMm = draft.IsBegunAnew && DraftNumber.Value(draft.Counterpart.ToolDiameter) is > 0 and var mm ? mm : null,
+            ToolDiameterMm = isEmpty && DraftNumber.Value(counterpart.ToolDiameter) is > 0 and var mm ? mm : null,
+            BlockSkip = BlockSkips.Of(counterpart.BlockSkip),
+            Assumed = AssumedValues.Of(counterpart.Assume.Split(';').Select(AssumedValues.Read).OfType<KeyValuePair<string, double>>()),
+            Libraries = [
+                .. counterpart.Libraries.Split(';', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries)
+                    .Select(l => Path.Combine(folder, l))],
         };
     }
 }

@@ -1,4 +1,7 @@
+using System.Globalization;
 using Avalonia.Controls;
+using Avalonia.Input;
+using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Hmi.Tests;
 
@@ -41,7 +44,7 @@ public sealed class DrawnJobTests
         Assert.Empty(choice.Picture.Outline);
         Tap(choice.Layers.Single(l => l.Name == "OUTLINE").Id);
         seat.Seat.WaitFor(() => choice.Picture.Outline.Count > 0, "The outline is not shown.");
-        Assert.StartsWith(isChinese ? "10 個特徵" : "10 features.", seat.TextOf("outline-found"), StringComparison.Ordinal);
+        Assert.StartsWith(isChinese ? "特徵：10 個" : "Features: 10.", seat.TextOf("outline-found"), StringComparison.Ordinal);
 
         // It lies where the program leaves it: the tool's radius below the path of the flat top.
         Assert.Contains(choice.Picture.Outline.SelectMany(l => l), p => Math.Abs(p.Y) < 1e-3 && Math.Abs(p.X) < 40);
@@ -84,7 +87,8 @@ public sealed class DrawnJobTests
         var choice = Choice(seat);
         seat.Seat.Tap(choice.Layers.Single(l => l.Name == "OUTLINE").Id);
         seat.Seat.WaitFor(() => choice.Refused is not null, "Nothing is said.");
-        Assert.StartsWith("No way was found to lay the layer OUTLINE", seat.TextOf("outline-refused"), StringComparison.Ordinal);
+        Assert.StartsWith(
+            "This outline cannot be laid on what the program cuts.", seat.TextOf("outline-refused"), StringComparison.Ordinal);
         Assert.False(seat.Seat.See("outline-take").IsEffectivelyEnabled);
         seat.Seat.Tap("outline-leave").See("setup-save");
         Assert.Same(before, seat.Draft);
@@ -119,6 +123,51 @@ public sealed class DrawnJobTests
         Assert.Equal("8", seat.Draft.Counterpart.ToolDiameter);
         seat.Seat.Tap("setup-undo");
         Assert.True(seat.Draft.IsSame(before));
+    });
+
+    [Fact]
+    public Task A_drawing_in_inches_is_asked_about_and_read_so_and_a_job_changed_meanwhile_is_not_written_into() => At(seat =>
+    {
+        seat.Seat.Tap("nav-points");
+        seat.Settle();
+        var inches = Path.Combine(Path.GetDirectoryName(seat.JobFile)!, "inches.dxf");
+        Point2[] corners = [new(0, 0), new(40, 0), new(40, 10), new(26, 10), new(26, 30), new(0, 30)];
+        var lines = corners.Select((p, i) =>
+        {
+            var q = corners[(i + 1) % corners.Length];
+            return string.Create(
+                CultureInfo.InvariantCulture,
+                $"0\nLINE\n8\nA\n10\n{p.X / 25.4}\n20\n{p.Y / 25.4}\n11\n{q.X / 25.4}\n21\n{q.Y / 25.4}\n");
+        });
+        File.WriteAllText(inches, "0\nSECTION\n2\nENTITIES\n" + string.Concat(lines) + "0\nENDSEC\n0\nEOF\n");
+        var program = Path.ChangeExtension(inches, "nc");
+        File.WriteAllText(
+            program,
+            "%\nO1\nN10 G21 G17 G40 G90 G54\nN20 G0 X-20. Y-4.\nN30 G1 Z-5. F200.\nN40 X44. F500.\nN50 Y14.\nN60 X30.\nN70 Y34.\n"
+                + "N80 X-4.\nN90 Y-20.\nN100 G0 Z50.\nN110 M30\n%\n");
+        seat.Seat.Tap("points-from-drawing").Type("chooser-path", inches).Tap("chooser-confirm");
+        seat.Seat.WaitFor(
+            () => seat.Shell.Choosing is { } second && second.Title.Contains("program", StringComparison.Ordinal), "No program is asked.");
+        seat.Seat.User.Wait(TimeSpan.FromMilliseconds(600));
+        seat.Seat.Type("chooser-path", program).Tap("chooser-confirm");
+
+        // One layer alone is laid at once.
+        var choice = Choice(seat);
+        seat.Seat.WaitFor(() => choice.OtherUnit is not null, "The unit is not asked about.");
+        Assert.Equal("Read the drawing in inches", choice.OtherUnit);
+        Assert.False(seat.Seat.See("outline-take").IsEffectivelyEnabled);
+        seat.Seat.Tap("outline-unit").WaitFor(() => choice.Picture.Outline.Count > 0, "The outline is not shown.");
+        Assert.Null(choice.OtherUnit);
+
+        // Undo does not reach the form behind it, but somebody else's change is seen.
+        var before = seat.Draft;
+        seat.Seat.User.Press(Key.Z, RawInputModifiers.Control);
+        Assert.Same(before, seat.Draft);
+        seat.Shell.Editing.Change("", d => d with { WorkOrder = "other" });
+        seat.Seat.Tap("outline-take");
+        Assert.Equal("The job was changed in the meantime. Choose the drawing again.", seat.TextOf("outline-refused"));
+        Assert.Equal(before.Features, seat.Draft.Features);
+        seat.Seat.Tap("outline-leave").See("setup-save");
     });
 
     private static OutlineChoice Choice(SetupSeat seat)

@@ -4,6 +4,7 @@ using System.Text;
 using ErrorMatching.Geometry;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
+using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 using ErrorMatching.Testing;
 
@@ -205,6 +206,31 @@ public sealed class OutlineJobTests : IDisposable
         Assert.Empty(taken.OtherPoints);
         Assert.Equal("none", taken.Alignment.Kind);
         Assert.Equal("named", made.Into(draft with { Name = "named" }).Name);
+    }
+
+    // A tool that was found, or is another job's, must not be taken for one that somebody named.
+    [Fact]
+    public void The_request_of_a_draft_names_its_control_and_the_tool_of_an_empty_job()
+    {
+        var draft = new MatingDraft
+        {
+            IsBegunAnew = true,
+            Counterpart = new() { Dialect = "fanuc", ToolDiameter = "6", BlockSkip = "on", Libraries = "subs; more" },
+        };
+        var request = OutlineRequest.For(draft, Path.Combine(_folder, "job.json"), "o.dxf", "p.nc");
+        Assert.Equal((6, BlockSkip.On, "fanuc"), (request.ToolDiameterMm, request.BlockSkip, request.Dialect));
+        Assert.Equal([Path.Combine(_folder, "subs"), Path.Combine(_folder, "more")], request.Libraries);
+        Assert.Null(OutlineRequest.For(draft with { IsBegunAnew = false }, request.Job, "o.dxf", "p.nc").ToolDiameterMm);
+        Assert.Null(OutlineRequest.For(Made(Polygon(Outline)).Into(draft), request.Job, "o.dxf", "p.nc").ToolDiameterMm);
+    }
+
+    [Fact]
+    public void Blocks_behind_a_slash_are_those_of_the_switch_that_the_request_states()
+    {
+        var slashed = Program.Replace("N50 ", "/N45 X99.\nN50 ", StringComparison.Ordinal);
+        Assert.NotEqual(6, Make(Polygon(Outline), slashed).Result?.Features.Count);
+        var made = OutlineJob.Of(Request(null, null, null) with { BlockSkip = BlockSkip.On }, TestContext.Current.CancellationToken);
+        Assert.Equal(6, made.Result!.Features.Count);
     }
 
     // Under compensation the path is the boundary, and only a person knows the tool.

@@ -1,4 +1,5 @@
 using ErrorMatching.Jobs;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi;
 
@@ -7,12 +8,14 @@ namespace ErrorMatching.Hmi;
 internal sealed class OutlineChoice : Observable
 {
     private readonly JobEditing _editing;
-    private readonly OutlineRequest _request;
+    private readonly MatingDraft _draft;
     private readonly TimeProvider _clock;
     private readonly Action _closed;
+    private OutlineRequest _request;
     private LayerChoice? _layer;
     private OutlineJob? _job;
     private Func<string>? _refused;
+    private string? _otherUnit;
     private string _lower = "", _upper = "", _uncertainty = "";
 
     /// <summary>Shows the layers. If there is only one, it is laid on the program at once.</summary>
@@ -30,11 +33,12 @@ internal sealed class OutlineChoice : Observable
         TimeProvider clock,
         Action closed)
     {
-        (_editing, _request, _clock, _closed) = (editing, request, clock, closed);
+        (_editing, _draft, _request, _clock, _closed) = (editing, editing.Draft, request, clock, closed);
         Picture = new(program) { IsReadOnly = true };
         Layers = [.. layers.Select((l, i) => new LayerChoice(l, i))];
         Uncertainty = editing.Draft.Gauge.Uncertainty;
         Take = new(TakeIt, () => _job is not null && editing.CanEdit);
+        TakeUnit = new(TakeOtherUnit, () => _otherUnit is not null);
         Leave = new(closed);
         Layer = Layers is [var only] ? only : null;
     }
@@ -51,9 +55,9 @@ internal sealed class OutlineChoice : Observable
         get => _layer;
         set
         {
-            if (Set(ref _layer, value) && value is not null)
+            if (Set(ref _layer, value))
             {
-                Laying = LayAsync(value).Watched();
+                Laying = LayAsync().Watched();
             }
         }
     }
@@ -96,6 +100,10 @@ internal sealed class OutlineChoice : Observable
             Shown.Mm(job.LargestMm),
             Shown.Number(job.ToolDiameterMm));
 
+    /// <summary>Asks whether the drawing is in another unit, in which it lies on the program; null if it is not.</summary>
+    public string? OtherUnit =>
+        _otherUnit is { } unit ? Texts.Current.With("Outline.TakeUnit", Texts.Current["Outline.Unit." + unit]) : null;
+
     /// <summary>Why the outline does not lie on the program, or null.</summary>
     public string? Refused => _refused?.Invoke();
 
@@ -110,6 +118,9 @@ internal sealed class OutlineChoice : Observable
 
     /// <summary>Puts the features into the edited job.</summary>
     public Command Take { get; }
+
+    /// <summary>Reads the drawing in that unit.</summary>
+    public Command TakeUnit { get; }
 
     /// <summary>Goes back without them.</summary>
     public Command Leave { get; }
@@ -129,35 +140,65 @@ internal sealed class OutlineChoice : Observable
         OnPropertyChanged();
     }
 
-    private async Task LayAsync(LayerChoice layer)
+    private async Task LayAsync()
     {
-        Show(null, null);
+        Show(null, null, null);
+        if (_layer is not { } layer)
+        {
+            return;
+        }
+
+        var request = _request with { Layer = layer.Layer.Name };
         OutlineJob? job = null;
-        Func<string>? refused = null;
+        Refusal? refusal = null;
         var failure = await Failures.OfAsync(
             () =>
             {
-                var outcome = OutlineJob.Of(_request with { Layer = layer.Layer.Name }, CancellationToken.None);
-                (job, refused) = (outcome.Result, outcome.IsUsable ? null : () => CodeText.Of(outcome.Refusal));
+                var outcome = OutlineJob.Of(request, CancellationToken.None);
+                (job, refusal) = (outcome.Result, outcome.Refusal);
+                try
+                {
+                    job?.Into(_draft);
+                }
+                catch (DraftException e)
+                {
+                    (job, refusal) = (null, new("outline-not-laid", e.Message));
+                }
             },
             _clock);
         if (layer == _layer)
         {
-            Show(job, failure is null ? refused : () => failure);
-            await Picture.MarkAsync([.. job?.Features.Select(f => new FeatureBlocks(f.Name, f.Blocks)) ?? []]);
+            Show(
+                failure is null ? job : null,
+                failure is not null ? () => failure : refusal is null ? null : () => CodeText.Of(refusal),
+                failure is null && refusal is { Code: OutlineJob.OtherUnit, Values: [var unit] } ? unit : null);
+            await Picture.MarkAsync([.. _job?.Features.Select(f => new FeatureBlocks(f.Name, f.Blocks)) ?? []]);
         }
     }
 
-    private void Show(OutlineJob? job, Func<string>? refused)
+    private void TakeOtherUnit()
     {
-        (_job, _refused) = (job, refused);
+        _request = _request with { UnitMm = _otherUnit == "inch" ? 25.4 : 1 };
+        Laying = LayAsync().Watched();
+    }
+
+    private void Show(OutlineJob? job, Func<string>? refused, string? otherUnit)
+    {
+        (_job, _refused, _otherUnit) = (job, refused, otherUnit);
         Picture.Outline = job?.Outline ?? [];
         Take.Refresh();
+        TakeUnit.Refresh();
         OnPropertyChanged();
     }
 
     private void TakeIt()
     {
+        if (!ReferenceEquals(_draft, _editing.Draft))
+        {
+            Show(null, () => Texts.Current["Outline.JobChanged"], null);
+            return;
+        }
+
         var job = _job!;
         _editing.Change("", draft =>
         {
@@ -169,7 +210,10 @@ internal sealed class OutlineChoice : Observable
             };
         });
         _closed();
-        _editing.Note(() => Texts.Current.With("Outline.Taken", job.Features.Count, Path.GetFileName(_request.Drawing)));
+        if (!ReferenceEquals(_draft, _editing.Draft))
+        {
+            _editing.Note(() => Texts.Current.With("Outline.Taken", job.Features.Count, Path.GetFileName(_request.Drawing)));
+        }
     }
 }
 
@@ -185,10 +229,12 @@ internal sealed class LayerChoice(OutlineLayer layer, int index) : Observable
     /// <summary>Its name.</summary>
     public string Name => Layer.Name;
 
-    /// <summary>The number of its curves, and what the program cuts of it.</summary>
-    public string Text => Layer.CoveredShare is { } share
-        ? Texts.Current.With("Outline.LayerCut", Shown.Count(Layer.Curves), Shown.Percent(100 * share))
-        : Texts.Current.With("Outline.LayerNotCut", Shown.Count(Layer.Curves));
+    /// <summary>The number of its curves, where it is, and what the program cuts of it.</summary>
+    public string Text => Sentence.Joined(
+        Texts.Current.With("Outline.LayerCurves", Shown.Count(Layer.Curves)),
+        Layer.Place.Trim() is { Length: > 0 } place ? Texts.Current.With("Outline.LayerPlace", place) : "",
+        Layer.CoveredShare is { } share ? Texts.Current.With("Outline.LayerCut", Shown.Percent(100 * share))
+            : Layer.IsTried ? Texts.Current["Outline.LayerNotLaid"] : "");
 
     /// <summary>Updates all texts after a change of language.</summary>
     public void Translate() => OnPropertyChanged();

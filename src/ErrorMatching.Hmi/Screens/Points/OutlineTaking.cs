@@ -47,6 +47,7 @@ internal sealed class OutlineTaking
         }
 
         var (editing, draft, file) = (_screen.Editing, _screen.Editing.Draft, _screen.Editing.Job!.File);
+        Choice = null;
         var request = OutlineRequest.For(draft, file, drawing, program);
         Func<string>? refused = null;
         OutlineLayer[]? layers = null;
@@ -57,7 +58,11 @@ internal sealed class OutlineTaking
             (layers, refused) = (outcome.Result, outcome.IsUsable ? null : () => CodeText.Of(outcome.Refusal));
             opened = OpenedProgram.Read(InputFile.Program(program), MatingDraftCheck.DialectOf(draft, file), cancellation);
         });
-        if (layers is not null && opened is not null)
+        if (layers is not null && !ReferenceEquals(draft, editing.Draft))
+        {
+            _screen.Report(() => Texts.Current["Outline.JobChanged"]);
+        }
+        else if (layers is not null && opened is not null)
         {
             Choice = new(editing, request, opened, layers, _screen.Station.Clock, () => Choice = null);
         }

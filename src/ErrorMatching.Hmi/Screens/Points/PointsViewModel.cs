@@ -56,6 +56,9 @@ internal sealed class PointsViewModel : SetupViewModel, ITakesCodes
     /// <summary>True while the form is shown instead of an outline.</summary>
     public bool IsForm => Outline is null;
 
+    /// <inheritdoc/>
+    public override bool IsInFront => IsForm && base.IsInFront;
+
     /// <summary>A scanned code becomes the work order.</summary>
     public void TakeCode(string code)
     {
@@ -130,6 +133,7 @@ internal sealed class PointsViewModel : SetupViewModel, ITakesCodes
     {
         OnPropertyChanged(nameof(Outline));
         OnPropertyChanged(nameof(IsForm));
+        OnPropertyChanged(nameof(IsInFront));
     }
 
     // A new job starts at its first field.

@@ -143,7 +143,7 @@ internal abstract class SetupViewModel : ScreenViewModel
             : fields.FirstOrDefault(f => f.IsToMend);
 
     /// <summary>True if nothing covers the screen.</summary>
-    public bool IsInFront => _shell.IsFree && !_shell.IsLocked;
+    public virtual bool IsInFront => _shell.IsFree && !_shell.IsLocked;
 
     /// <summary>The fields of the screen, in reading order.</summary>
     protected abstract IEnumerable<EditField> Fields { get; }
