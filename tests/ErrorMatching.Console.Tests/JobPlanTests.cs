@@ -50,7 +50,7 @@ public sealed class JobPlanTests
         (exit, output, error) = Shell.Run("job", "probe", Dovetail, "--out", folder["probe"]);
         Assert.Equal((0, ""), (exit, error));
         Assert.Contains(
-            "Nobody stated ball 6, touch at Z -5, travel at Z 25: the program stops before its first move",
+            "Nobody stated ball 6, touch at Z -5, travel at Z 28: the program stops before its first move",
             output,
             StringComparison.Ordinal);
         Assert.Contains($"Wrote {folder["probe/probe.nc"]}. Next:", output, StringComparison.Ordinal);

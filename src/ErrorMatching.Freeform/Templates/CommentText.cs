@@ -15,8 +15,9 @@ internal sealed class CommentText(NcDialect dialect)
     // The signs of ISO 840, the code of punched tape, without those that begin or end something.
     private const string CapitalSigns = " .,+-/=";
 
-    // What ends a comment or a text, begins another one, or begins or ends a program.
-    private const string Ending = "(){}[];\"%";
+    // What ends a comment or a text, begins another one, or begins or ends a program; what grbl obeys wherever it stands (~ goes on,
+    // ! holds, ? asks; grbl 1.1, Realtime Commands).
+    private const string Ending = "(){}[];\"%~!?";
 
     // LinuxCNC executes comments that begin so (LinuxCNC 2.9, Comments).
     private static readonly string[] Executed =

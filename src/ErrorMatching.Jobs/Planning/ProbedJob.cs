@@ -32,6 +32,10 @@ public sealed record ProbedJob
     // Shorter approaches leave no room for a part that deviates, mm.
     private const double ShortApproachMm = 1;
 
+    // Rounding of a program's words, mm, and blocks that a comment names.
+    private const double RoundingMm = 0.01;
+    private const int MostNamed = 3;
+
     // How far a measuring move goes on behind where the part can still be.
     private const double BehindMm = 1;
 
@@ -89,7 +93,7 @@ public sealed record ProbedJob
                 .In(job.File);
         }
 
-        var (assumed, notes) = (new List<string>(), new List<string>());
+        var (assumed, notes, depth) = (new List<string>(), new List<string>(), double.NegativeInfinity);
         var diameter = wish.StylusDiameterMm ?? job.Gauge.StylusDiameterMm ?? Assumed(PlannedJob.AssumedStylusMm, "ball");
         var isBuiltIn = wish.Template is not { } named || ProbingTemplate.Names.Contains(named);
         if (wish.OfCounterpart && isBuiltIn && OtherOffset(path) is { } other)
@@ -102,18 +106,25 @@ public sealed record ProbedJob
                 new() { File = program, Line = other + 1, Block = path.Program.NameOf(path.Program[other]) });
         }
 
-        if ((wish.TouchZ ?? HalfDepth(path)) is not { } z)
+        depth = TouchPlanner.DepthMm(job, path, theoretical) ?? depth;
+        if ((wish.TouchZ ?? TouchHeight(depth, diameter / 2)) is not { } z)
         {
             return new Refusal(
                 HeightMissing,
-                $"{program} does not say how deep it cuts below Z0, so that a height to touch at cannot be taken from it. Give --z.");
+                $"{program} does not say how deep it cuts the features below Z0, so that a height to touch at cannot be taken from it. "
+                    + "Give --z.");
         }
 
         z = wish.TouchZ ?? Assumed(z, "touch at Z");
+        if (!wish.OfCounterpart && z - (diameter / 2) < depth - RoundingMm)
+        {
+            Assumed(z - (diameter / 2), "a floor below Z");
+        }
+
         var approach = wish.ApproachMm ?? TouchPlanner.ApproachMm;
         var planned = wish.OfCounterpart
             ? TouchPlanner.OwnOfCounterpart(job, path, theoretical, diameter, approach, z)
-            : TouchPlanner.Own(job, path, theoretical, diameter, approach, z);
+            : TouchPlanner.Own(job, path, theoretical, diameter, approach);
         if (planned.Result is not { } plan)
         {
             return Outcome.Refused<ProbedJob>(InputRefusals.Of(planned.Refusals, job.File, program));
@@ -130,20 +141,30 @@ public sealed record ProbedJob
                 .In(job.File);
         }
 
-        var clearance = wish.ClearanceZ ?? Assumed(Math.Max(LeastClearanceMm, Highest(path)), "travel at Z");
-        if (clearance <= z)
+        // Of a tool the program says where its tip is, of the probe where the center of its ball is.
+        var clearance = wish.ClearanceZ ?? Assumed(Math.Max(LeastClearanceMm, Highest(path)) + (diameter / 2), "travel at Z");
+        if (clearance - (diameter / 2) <= Math.Max(0, z))
         {
             return new Refusal(
                 "clearance-too-low",
                 string.Create(
                     CultureInfo.InvariantCulture,
-                    $"The ball would travel at Z{clearance:0.###}, not above Z{z:0.###} where it touches. Give a higher --clearance."));
+                    $"The bottom of the ball would travel at Z{clearance - (diameter / 2):0.###}, not above Z{Math.Max(0, z):0.###}. Give "
+                        + $"a higher --clearance."));
+        }
+
+        if (plan.Unplaced.Count > 0)
+        {
+            string[] names = [.. plan.Unplaced.Take(MostNamed).Select(b => path.Program.NameOf(path.Program[b]))];
+            var others = plan.Unplaced.Count > MostNamed ? " and others" : "";
+            assumed.Add($"what {string.Join(" ", names)}{others} clear");
         }
 
         var (dialect, template) = Template(wish, job, interpreted.OwnDialect, files, assumed);
         PlannedPoint[] points = [.. order.Select(l => byLabel[l])];
         var overtravel = wish.OvertravelMm ?? job.Compensation.LimitMm + BehindMm;
-        if (points.Where(p => p.ApproachMm < ShortApproachMm).Select(p => p.Label).ToArray() is { Length: > 0 } near)
+        var shortMm = Math.Max(ShortApproachMm, job.Compensation.LimitMm);
+        if (points.Where(p => p.ApproachMm < shortMm).Select(p => p.Label).ToArray() is { Length: > 0 } near)
         {
             notes.Add(string.Create(
                 CultureInfo.InvariantCulture,
@@ -156,6 +177,12 @@ public sealed record ProbedJob
             notes.Add("Write \"stylusDiameterMm\" under \"gauge\" before the match: the log has the centers of the ball.");
         }
 
+        if (template.File == ProbingTemplate.Named("grbl").File && job.Gauge.Reports != ProbeReport.StylusCenter)
+        {
+            notes.Add("The answers of grbl are centers of the ball in machine coordinates: write \"reports\": \"stylus-center\" under "
+                + "\"gauge\", and an \"alignment\".");
+        }
+
         var moves = new ProbingMoves
         {
             Plan = wish.OfCounterpart ? TouchOrder.PlanOfCounterpart(job, theoretical) : TouchOrder.PlanOf(job, theoretical),
@@ -166,7 +193,7 @@ public sealed record ProbedJob
             OvertravelMm = overtravel,
             FeedMmPerMin = wish.FeedMmPerMin ?? FeedMmPerMin,
             ToolKey = "--tool",
-            Tool = wish.ToolNumber is { } tool ? new ToolCall(tool, null, tool) : null,
+            Tool = wish.ToolNumber is { } tool ? new ToolCall(tool, null, dialect.Syntax == NcSyntax.Siemens ? 1 : tool) : null,
             Assumed = assumed,
         };
         return new ProbedJob
@@ -248,21 +275,10 @@ public sealed record ProbedJob
         return null;
     }
 
-    // Half as deep as the program cuts below its zero.
-    private static double? HalfDepth(NcPath path)
-    {
-        var lowest = 0.0;
-        foreach (var motion in path.Motions)
-        {
-            if (motion is { IsCut: true, MovesInPlane: true } && motion.End.Z is var z && double.IsFinite(z)
-                && (motion.UnknownEnd & AxisSet.Z) == AxisSet.None)
-            {
-                lowest = Math.Min(lowest, z);
-            }
-        }
-
-        return lowest < 0 ? Math.Round(lowest / 2, 3) : null;
-    }
+    // Half as deep as the features are cut, but above what is below them if there is room for the ball.
+    private static double? TouchHeight(double depth, double radius) =>
+        !double.IsFinite(depth) || depth >= 0 ? null
+            : Math.Round(depth + radius < 0 ? Math.Max(depth / 2, depth + radius) : depth / 2, 3);
 
     private static double Highest(NcPath path)
     {
@@ -275,7 +291,7 @@ public sealed record ProbedJob
             }
         }
 
-        return Math.Min(highest, 100);
+        return highest;
     }
 }
 

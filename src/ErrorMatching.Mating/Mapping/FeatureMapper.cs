@@ -90,8 +90,12 @@ internal static class FeatureMapper
         && Convert.ToHexStringLower(SHA256.HashData(program.Bytes.Span)) is var found && found != stated
             ? new(
                 ProgramChanged,
-                $"The program has the SHA-256 {found}, the job was made for {stated}: it was edited, or it is another program. Check the "
-                    + "blocks of all features, then write the new SHA-256 to programSha256.")
+                $"The program has the SHA-256 {found}, the job was made for {stated}: it was edited, or it is another program. "
+                    + (Marker.Find(program).Count > 0
+                        ? "It carries the marker of a correction, which is one line more: blocks that are named by lines are one line "
+                            + "further on behind it. "
+                        : "")
+                    + "Check the blocks of all features, then write the new SHA-256 to programSha256.")
             : null;
 
     private static Refusal? Map(

@@ -14,6 +14,7 @@ public sealed class ClearedRoom
     private readonly double _toolRadiusMm;
     private readonly double _ballRadiusMm;
     private readonly double _mapMm;
+    private readonly double _limitMm;
 
     /// <summary>Looks at what a program clears.</summary>
     /// <param name="job">The job.</param>
@@ -25,6 +26,7 @@ public sealed class ClearedRoom
         ArgumentNullException.ThrowIfNull(job);
         ArgumentNullException.ThrowIfNull(path);
         (_toolRadiusMm, _ballRadiusMm, _mapMm) = (job.Counterpart.ToolDiameterMm / 2, stylusDiameterMm / 2, job.Counterpart.MapMm);
+        _limitMm = job.Compensation.LimitMm;
         var bottom = touchZ - _ballRadiusMm + LeastMm;
         foreach (var motion in path.Motions)
         {
@@ -62,15 +64,15 @@ public sealed class ClearedRoom
     /// <param name="wantedMm">The distance that is wanted.</param>
     public double? ApproachMm(Point2 place, Vector2 normal, double wantedMm)
     {
-        // What the program cuts differently from the outline at the point is no obstacle.
-        var beside = Math.Abs(DistanceMm(place) - _toolRadiusMm);
-        if (beside > _mapMm)
+        var beside = DistanceMm(place) - _toolRadiusMm;
+        if (Math.Abs(beside) > _mapMm)
         {
             return null;
         }
 
-        var allowed = _toolRadiusMm - _ballRadiusMm + LeastMm + beside;
-        return MeasuringMove.ApproachMm(wantedMm, off => DistanceMm(place + (normal * (_ballRadiusMm + off))) <= allowed);
+        // What the program leaves standing at the point is no obstacle for touching it.
+        var room = _toolRadiusMm - _ballRadiusMm + Math.Max(beside, 0);
+        return MeasuringMove.ApproachMm(wantedMm, _limitMm, off => room - DistanceMm(place + (normal * (_ballRadiusMm + off))));
     }
 
     private double DistanceMm(Point2 place) => _centers.Count == 0

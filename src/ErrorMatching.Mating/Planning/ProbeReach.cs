@@ -11,36 +11,90 @@ public sealed class ProbeReach
     // Rounding of a program's words, and a little of what the program cuts differently from the outline.
     private const double LeastMm = 0.01;
 
-    private readonly List<(Segment2 Segment, Arc2? Arc, double RadiusMm)> _cuts = [];
+    // A cut that clears more than this beyond the boundary faces it, mm.
+    private const double FacedMm = 0.1;
+
+    private readonly List<Cut> _cuts = [];
     private readonly RigidTransform2 _frame;
+    private readonly double _limitMm;
 
     /// <summary>Looks at what a program clears.</summary>
     /// <param name="job">The job.</param>
     /// <param name="path">The counterpart's program, interpreted.</param>
     /// <param name="maps">The features mapped onto it.</param>
     /// <param name="stylusDiameterMm">Diameter of the ball, mm.</param>
-    /// <param name="touchZ">Height of the ball's center, mm; null if it is not known yet.</param>
-    public ProbeReach(MatingJob job, NcPath path, IReadOnlyList<FeatureMap> maps, double stylusDiameterMm, double? touchZ = null)
+    public ProbeReach(MatingJob job, NcPath path, IReadOnlyList<FeatureMap> maps, double stylusDiameterMm)
     {
         ArgumentNullException.ThrowIfNull(job);
         ArgumentNullException.ThrowIfNull(path);
         ArgumentNullException.ThrowIfNull(maps);
-        (_frame, StylusRadiusMm) = (job.Counterpart.Frame, stylusDiameterMm / 2);
-
-        // What is cut above all features and above the ball, such as the face of the piece, says nothing about their boundary.
-        var top = maps.Max(m => m.Passes.Min(p => FeaturePass.Moving(path, p.First, p.Last).Min(i => Lowest(path.Motions[i]))));
-        top = Math.Max(top, touchZ ?? top);
+        (_frame, StylusRadiusMm, _limitMm) = (job.Counterpart.Frame, stylusDiameterMm / 2, job.Compensation.LimitMm);
+        var toolRadius = job.Counterpart.ToolDiameterMm / 2;
+        var unplaced = new List<int>();
         for (var i = 0; i < path.Motions.Length; i++)
         {
             var motion = path.Motions[i];
-            if (motion is { IsCut: true, IsKnownInPlane: true, MovesInPlane: true } && motion.Plane == CoordinatePlane.XY
-                && !motion.Has(MotionFlags.Transformed | MotionFlags.BadArc) && !(Lowest(motion) > top + LeastMm))
+
+            // The motion of a drilling cycle is the one over its hole.
+            var isHole = motion.Kind == MotionKind.Cycle || motion.Has(MotionFlags.Cycle) || motion is { IsCut: true, MovesInPlane: false };
+            if (!(motion.IsCut || isHole || motion.Kind == MotionKind.Spline) || Lowest(motion) >= -LeastMm)
             {
-                var isBoundary = motion.Has(MotionFlags.CompensationLeft | MotionFlags.CompensationRight);
-                _cuts.Add((
-                    motion.Segment, motion.IsArc ? motion.Arc : null, isBoundary ? 0 : job.Counterpart.ToolDiameterMm / 2));
+                continue;
+            }
+
+            var isKnown = isHole ? (motion.UnknownEnd & (AxisSet.X | AxisSet.Y)) == AxisSet.None : motion.IsKnownInPlane;
+            if (motion.Kind == MotionKind.Spline || !isKnown || motion.Plane != CoordinatePlane.XY
+                || motion.Has(MotionFlags.Transformed | MotionFlags.BadArc))
+            {
+                unplaced.Add(motion.Block);
+                continue;
+            }
+
+            var isBoundary = motion.Has(MotionFlags.CompensationLeft | MotionFlags.CompensationRight);
+            _cuts.Add(isHole
+                ? new(new(motion.PlaneEnd, motion.PlaneEnd), null, isBoundary ? 0 : toolRadius, Lowest(motion))
+                : new(motion.Segment, motion.IsArc ? motion.Arc : null, isBoundary ? 0 : toolRadius, Lowest(motion)));
+        }
+
+        // Under cutter compensation the path is one side of what is cleared; the tool's center is the middle of it.
+        if (CompensatedPath.Concerns(path) && CompensatedPath.Of(path) is { Refusal: null } compensated)
+        {
+            foreach (var motion in compensated.Motions)
+            {
+                var (start, end) = (motion.Plane.Project(motion.Start), motion.Plane.Project(motion.End));
+                var lowest = Math.Min(motion.Start.Z, motion.End.Z);
+                if (motion.IsCompensated && motion.Plane == CoordinatePlane.XY && (motion.IsArc || start != end)
+                    && motion.UnknownEnd == AxisSet.None && lowest < -LeastMm)
+                {
+                    var arc = motion.IsArc
+                        ? Arc2.Between(start, end, motion.Center, motion.Kind == MotionKind.ArcCounterClockwise)
+                        : (Arc2?)null;
+                    _cuts.Add(new(new(start, end), arc, toolRadius, lowest));
+                }
             }
         }
+
+        // What is faced over the boundary itself, above all features, says nothing about it.
+        var top = DepthMm(path, maps);
+        Point2[] boundary = [.. maps.SelectMany(m => m.Passes[0].Feet.Select((f, k) => BoundaryAt(path, f, m.Normals[k], toolRadius)))];
+        var faced = _cuts.Where(c => c.LowestMm > top + LeastMm).GroupBy(c => Math.Round(c.LowestMm, 2))
+            .Where(level => level.Any(c => boundary.Any(at => c.DistanceTo(at) < -FacedMm)))
+            .Select(level => level.Key).ToHashSet();
+        _cuts.RemoveAll(c => c.LowestMm > top + LeastMm && faced.Contains(Math.Round(c.LowestMm, 2)));
+        Unplaced = [.. unplaced.Distinct().Order()];
+    }
+
+    /// <summary>Blocks that clear something below Z0 of which it is not known where: the ball may meet what stands there.</summary>
+    public IReadOnlyList<int> Unplaced { get; }
+
+    /// <summary>The depth to which each of the features is cut, mm; below Z0 it is negative.</summary>
+    /// <param name="path">The counterpart's program, interpreted.</param>
+    /// <param name="maps">The features mapped onto it.</param>
+    public static double DepthMm(NcPath path, IReadOnlyList<FeatureMap> maps)
+    {
+        ArgumentNullException.ThrowIfNull(path);
+        ArgumentNullException.ThrowIfNull(maps);
+        return maps.Max(m => m.Passes.Min(p => FeaturePass.Moving(path, p.First, p.Last).Min(i => Lowest(path.Motions[i]))));
     }
 
     /// <summary>Radius of the ball, mm.</summary>
@@ -53,35 +107,68 @@ public sealed class ProbeReach
     /// <param name="wantedMm">The distance that is wanted.</param>
     public double? ApproachMm(Point2 place, Vector2 normal, double wantedMm)
     {
-        // What the program cuts differently from the outline at the point is no obstacle.
+        // What the program cuts differently from the outline at the point is no obstacle. What it leaves standing, it leaves elsewhere,
+        // too: there, the part as designed is nearer.
         var contact = _frame.Apply(place + (normal * StylusRadiusMm));
-        var lacks = RoomMm(contact);
-        var beside = Math.Abs(RoomMm(_frame.Apply(place)) + StylusRadiusMm);
-        if (lacks < -(LeastMm + beside))
+        var (lacks, beside) = (RoomMm(contact), RoomMm(_frame.Apply(place)) + StylusRadiusMm);
+        if (lacks < -(LeastMm + Math.Abs(beside)))
         {
             return null;
         }
 
         return MeasuringMove.ApproachMm(
             wantedMm,
-            off => RoomMm(_frame.Apply(place + (normal * (StylusRadiusMm + off)))) >= Math.Min(lacks, 0) - LeastMm);
+            _limitMm,
+            off => RoomMm(_frame.Apply(place + (normal * (StylusRadiusMm + off)))) - Math.Min(lacks, 0)
+                - Math.Min(off, Math.Max(beside, 0)));
+    }
+
+    // The boundary that the program cuts at a key point.
+    private Point2 BoundaryAt(NcPath path, KeyPointFoot foot, Vector2 normal, double toolRadius)
+    {
+        var motion = path.Motions[foot.Motion];
+        var isBoundary = motion.Has(MotionFlags.CompensationLeft | MotionFlags.CompensationRight);
+        return motion.PlaneAt(foot.Fraction) - (_frame.Apply(normal) * (isBoundary ? 0 : toolRadius));
     }
 
     // Between the ball and what the tool cleared; negative where they overlap.
     private double RoomMm(Point2 center)
     {
         var least = double.PositiveInfinity;
-        foreach (var (segment, arc, radius) in _cuts)
+        foreach (var cut in _cuts)
         {
-            if (segment.Start.DistanceTo(center) - (arc?.Length ?? segment.Length) - radius < least)
+            if (cut.IsNearer(center, least))
             {
-                least = Math.Min(least, (arc?.DistanceTo(center) ?? segment.DistanceTo(center)) - radius);
+                least = Math.Min(least, cut.DistanceTo(center));
             }
         }
 
         return least - StylusRadiusMm;
     }
 
-    private static double Lowest(in NcMotion motion) =>
-        Math.Min(motion.Plane.Height(motion.Start), motion.Plane.Height(motion.End));
+    // Where the program does not say how deep, it may be deep.
+    private static double Lowest(in NcMotion motion)
+    {
+        var axis = motion.Plane switch
+        {
+            CoordinatePlane.ZX => AxisSet.Y,
+            CoordinatePlane.YZ => AxisSet.X,
+            _ => AxisSet.Z,
+        };
+        var isKnown = motion.Kind is not (MotionKind.Cycle or MotionKind.Spline) && !motion.Has(MotionFlags.Cycle)
+            && (motion.UnknownEnd & axis) == AxisSet.None;
+        return isKnown ? Math.Min(motion.Plane.Height(motion.Start), motion.Plane.Height(motion.End)) : double.NegativeInfinity;
+    }
+
+    // What one motion clears: all that is nearer to its line than a radius.
+    private readonly record struct Cut(Segment2 Segment, Arc2? Arc, double RadiusMm, double LowestMm)
+    {
+        public double DistanceTo(Point2 place) =>
+            (Arc?.DistanceTo(place) ?? (Segment.Start == Segment.End ? Segment.Start.DistanceTo(place) : Segment.DistanceTo(place)))
+                - RadiusMm;
+
+        // False if it is certain that it is not.
+        public bool IsNearer(Point2 place, double distance) =>
+            Segment.Start.DistanceTo(place) - (Arc?.Length ?? Segment.Length) - RadiusMm < distance;
+    }
 }

@@ -11,6 +11,10 @@ public sealed record TouchPlan(IReadOnlyList<PlannedFeature> Features, double St
     /// <summary>The points in the order of the features.</summary>
     public IEnumerable<PlannedPoint> Points => Features.SelectMany(f => f.Lists.SelectMany(l => l));
 
+    /// <summary>Blocks of the counterpart's program that clear something of which it is not known where: what stands there on the part may
+    /// be in the ball's way.</summary>
+    public IReadOnlyList<int> Unplaced { get; init; } = [];
+
     /// <summary>What it will tell; null of points that nobody chose, such as a job's own.</summary>
     public PlanPrediction? Prediction { get; init; }
 

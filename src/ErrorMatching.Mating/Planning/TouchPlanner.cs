@@ -136,25 +136,34 @@ public static class TouchPlanner
     /// <param name="theoretical">The key points as designed.</param>
     /// <param name="stylusDiameterMm">Diameter of the ball, mm.</param>
     /// <param name="approachMm">Distance from the part at which a measuring move starts where there is room, mm.</param>
-    /// <param name="touchZ">Height of the ball's center, mm.</param>
     /// <returns>The plan, or the points that the ball cannot touch.</returns>
     /// <exception cref="InputException">A key point is missing. A selector cannot be read.</exception>
     public static Outcome<TouchPlan> Own(
-        MatingJob job, NcPath path, MeasurementFile theoretical, double stylusDiameterMm, double approachMm, double touchZ)
+        MatingJob job, NcPath path, MeasurementFile theoretical, double stylusDiameterMm, double approachMm)
     {
         if (NotMapped(job, path, theoretical, out var maps) is { } cannot)
         {
             return cannot;
         }
 
-        var reach = new ProbeReach(job, path, maps, stylusDiameterMm, touchZ);
-        return OfMaps(
+        var reach = new ProbeReach(job, path, maps, stylusDiameterMm);
+        var plan = OfMaps(
             maps,
             theoretical,
             stylusDiameterMm,
             (place, normal) => (place, -normal, reach.ApproachMm(place, -normal, approachMm)),
             "it would touch the part elsewhere first");
+        return plan.Result is { } own ? own with { Unplaced = reach.Unplaced } : plan;
     }
+
+    /// <summary>The depth to which each of the features is cut, mm, below Z0 negative; null if the program or the job cannot be
+    /// used.</summary>
+    /// <param name="job">The job.</param>
+    /// <param name="path">The counterpart's program, interpreted.</param>
+    /// <param name="theoretical">The key points as designed.</param>
+    /// <exception cref="InputException">A key point is missing. A selector cannot be read.</exception>
+    public static double? DepthMm(MatingJob job, NcPath path, MeasurementFile theoretical) =>
+        NotMapped(job, path, theoretical, out var maps) is null ? ProbeReach.DepthMm(path, maps) : null;
 
     /// <summary>The same on the counterpart: places and normals are in the program's frame, normals out of the counterpart's
     /// material.</summary>

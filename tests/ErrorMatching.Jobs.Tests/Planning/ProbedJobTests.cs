@@ -178,22 +178,66 @@ public sealed partial class ProbedJobTests
         Assert.Equal(28, Probed(folder, Stated).Points.Count);
     }
 
-    // The counterpart has a pocket of 3 mm depth beside its shoulder, at X-66 Y-36: what of the part may stand in it is not known.
+    // The counterpart has a pocket of 3 mm depth beside its shoulder, at X-66 Y-36, or a hole: what of the part stands in it is met by a
+    // ball that goes down there, also on its way below.
     [Theory]
-    [InlineData(-2, true)]
-    [InlineData(-5, false)]
-    public void Where_something_else_is_cleared_at_the_height_of_the_ball_nothing_is_touched(double z, bool isRefused)
+    [InlineData("N41 G0 X-85. Y-36.\nN42 G1 Z-3. F250.\nN43 X-50.\nN44 G0 Z25.\n", true)]
+    [InlineData("N41 G0 X-76. Y-35.\nN42 G1 Z-12. F250.\nN44 G0 Z25.\n", true)]
+    [InlineData("N41 G81 X-76. Y-35. Z-12. R2. F100.\nN44 G80\n", true)]
+    [InlineData("N41 G0 X-85. Y-50.\nN42 G1 Z-3. F250.\nN43 X-50.\nN44 G0 Z25.\n", false)]
+    [InlineData("N41 G0 X-85. Y-30.\nN42 G1 Z-0.5 F250.\nN43 X-50.\nN431 Y-36.\nN432 X-85.\nN44 G0 Z25.\n", false)]
+    public void Where_something_else_is_cleared_nothing_is_touched_unless_the_key_points_are_faced_with_it(string cleared, bool isRefused)
+    {
+        using var folder = Copied();
+        File.WriteAllText(
+            folder["counterpart.nc"],
+            File.ReadAllText(folder["counterpart.nc"]).Replace(
+                "N50 G0 X-92. Y-10.", cleared + "N50 G0 X-92. Y-10.", StringComparison.Ordinal));
+        var outcome = ProbedJob.Of(folder["job.json"], Stated, TestContext.Current.CancellationToken);
+        Assert.Equal(isRefused, !outcome.IsUsable);
+        Assert.All(outcome.Refusals, r => Assert.Equal(("out-of-reach", "L1"), (r.Code, r.Place.Feature)));
+    }
+
+    // Where an arc of another plane clears something, nobody looked.
+    [Fact]
+    public void What_is_cleared_at_a_place_that_is_not_known_stops_the_program_with_its_block()
     {
         using var folder = Copied();
         File.WriteAllText(
             folder["counterpart.nc"],
             File.ReadAllText(folder["counterpart.nc"]).Replace(
                 "N50 G0 X-92. Y-10.",
-                "N41 G0 X-85. Y-36.\nN42 G1 Z-3. F250.\nN43 X-50.\nN44 G0 Z25.\nN50 G0 X-92. Y-10.",
+                "N41 G0 X-85. Y-60.\nN42 G1 Z-3. F250.\nN43 G18 G3 X-75. I5. K0.\nN44 G17 G0 Z25.\nN50 G0 X-92. Y-10.",
                 StringComparison.Ordinal));
-        var outcome = ProbedJob.Of(folder["job.json"], Stated with { TouchZ = z }, TestContext.Current.CancellationToken);
-        Assert.Equal(isRefused, !outcome.IsUsable);
-        Assert.All(outcome.Refusals, r => Assert.Equal(("out-of-reach", "L1"), (r.Code, r.Place.Feature)));
+        Assert.Equal(["what N43 clear"], Probed(folder, Stated).Program.Moves.Assumed);
+    }
+
+    // A slot of the part, 8 mm wide: a ball of 6 mm has 2 mm to go. 2 mm from one wall it would go down on the other.
+    [Theory]
+    [InlineData(8, 1)]
+    [InlineData(8.5, 1.5)]
+    [InlineData(20, 2)]
+    public void In_a_narrow_slot_the_ball_goes_down_where_both_walls_are_farthest(double width, double approach)
+    {
+        using var folder = new TemporaryFolder();
+        var y = FormattableString.Invariant($"{width / 2}");
+        File.WriteAllText(
+            folder["p.nc"],
+            "%\nO1\nN10 G21 G17 G40 G90 G54\nN20 G0 X-30. Y-" + At(4) + "\nN30 G1 Z-10. F200.\nN40 X80.\nN50 G0 Z5.\nN60 X-30. Y"
+                + At(4) + "\nN70 G1 Z-10.\nN80 X80.\nN90 G0 Z50.\nN95 M30\n%\n");
+        File.WriteAllText(folder["theoretical.csv"], $"point,x_mm,y_mm\n1,0,-{y}\n2,50,-{y}\n3,0,{y}\n4,50,{y}\n");
+        File.WriteAllText(folder["job.json"], """
+            { "kind": "mating", "name": "Slot", "part": { "theoretical": "theoretical.csv", "measured": "part.csv" },
+              "gauge": { "format": "points", "uncertaintyMm": 0.002, "stylusDiameterMm": 6 },
+              "features": [
+                { "name": "A", "kind": "line", "points": ["1", "2"], "blocks": ["N40"], "toleranceMm": [-0.02, 0.02] },
+                { "name": "B", "kind": "line", "points": ["3", "4"], "blocks": ["N80"], "toleranceMm": [-0.02, 0.02] }],
+              "counterpart": { "program": "p.nc", "dialect": "fanuc", "toolDiameterMm": 8 } }
+            """);
+        var probed = Probed(folder, new() { TouchZ = -5, ClearanceZ = 25, ToolNumber = 9 });
+        Assert.All(probed.Points, p => Assert.Equal(approach, p.ApproachMm));
+
+        string At(double off) => FormattableString.Invariant($"{(width / 2) + off:0.0##}");
     }
 
     [Fact]
@@ -201,9 +245,9 @@ public sealed partial class ProbedJobTests
     {
         using var folder = Copied();
         var probed = Probed(folder, new());
-        Assert.Equal(["ball 6", "touch at Z -5", "travel at Z 25"], probed.Program.Moves.Assumed);
+        Assert.Equal(["ball 6", "touch at Z -5", "travel at Z 28"], probed.Program.Moves.Assumed);
         var text = Encoding.ASCII.GetString(probed.Program.Bytes.Span);
-        Assert.Contains("(NOBODY STATED BALL 6, TOUCH AT Z -5, TRAVEL AT Z 25)", text, StringComparison.Ordinal);
+        Assert.Contains("(NOBODY STATED BALL 6, TOUCH AT Z -5, TRAVEL AT Z 28)", text, StringComparison.Ordinal);
         var lines = text.Split('\n').ToList();
         Assert.InRange(lines.IndexOf("M0"), 1, lines.FindIndex(l => FirstMove().IsMatch(l)) - 1);
         Assert.Contains(probed.Notes, n => n.Contains("stylusDiameterMm", StringComparison.Ordinal));
@@ -239,6 +283,8 @@ public sealed partial class ProbedJobTests
     [Theory]
     [InlineData(-6, "clearance-too-low")]
     [InlineData(-5, "clearance-too-low")]
+    [InlineData(-4, "clearance-too-low")]
+    [InlineData(1.5, "clearance-too-low")]
     public void A_travel_below_the_touch_is_refused(double clearance, string code)
     {
         using var folder = Copied();
@@ -257,6 +303,23 @@ public sealed partial class ProbedJobTests
         Assert.Equal("bad-template", error.Code);
         Assert.Contains("touch at Z -5", error.Message, StringComparison.Ordinal);
         Assert.Equal(28, Probed(folder, Stated with { ToolNumber = null, Template = folder["own.txt"] }).Points.Count);
+    }
+
+    // The features are cut to Z-10. Deeper than that nobody knows what is there.
+    [Fact]
+    public void A_ball_that_reaches_below_the_features_stops_the_program()
+    {
+        using var folder = Copied();
+        Assert.Equal(["a floor below Z -10.5"], Probed(folder, Stated with { TouchZ = -9 }).Program.Moves.Assumed);
+        Assert.Empty(Probed(folder, Stated with { TouchZ = -8.5 }).Program.Moves.Assumed);
+
+        // Another pocket, however deep, is no feature.
+        File.WriteAllText(
+            folder["counterpart.nc"],
+            File.ReadAllText(folder["counterpart.nc"]).Replace(
+                "N50 G0 X-92. Y-10.", "N41 G0 X-85. Y-60.\nN42 G1 Z-30. F250.\nN43 X-70.\nN44 G0 Z25.\nN50 G0 X-92. Y-10.",
+                StringComparison.Ordinal));
+        Assert.Equal(-5, Probed(folder, Stated with { TouchZ = null }).TouchZ);
     }
 
     private static NcPath Path(ProbedJob probed) => NcInterpreter.Run(

@@ -38,6 +38,22 @@ public sealed partial class LineSelectorTests
         Assert.Contains(Hash(folder), refusal.Message, StringComparison.Ordinal);
     }
 
+    // The hash alone must not be renewed: each line is one further on.
+    [Fact]
+    public void A_corrected_program_has_one_line_more_and_its_refusal_says_so()
+    {
+        using var folder = Copied();
+        Renumber(folder);
+        File.WriteAllBytes(folder["counterpart.nc"], Matched(folder).Program.ToArray());
+        File.WriteAllText(
+            folder["job.json"],
+            File.ReadAllText(folder["job.json"]).Replace("\"from\": \"part\"", "\"from\": \"counterpart\"", StringComparison.Ordinal));
+        var request = new MatingRequest { Counterpart = new(folder["counterpart.csv"]) };
+        var refusal = MatingRun.Of(new JobFiles(folder["job.json"]), request, TestContext.Current.CancellationToken).Refusal!;
+        Assert.Equal("program-changed", refusal.Code);
+        Assert.Contains("one line further on behind it", refusal.Message, StringComparison.Ordinal);
+    }
+
     [Fact]
     public void A_job_with_lines_and_without_the_hash_is_warned_of_with_the_hash_to_write()
     {

@@ -20,10 +20,10 @@ internal sealed class JobProbe : Verb
 
     private readonly Option<double?> _stylus = ProbeOptions.Stylus();
     private readonly Option<double?> _z = ProbeOptions.Height(
-        "--z", "Height at which the center of the ball touches. Without it: half as deep as the program cuts, which is told.");
+        "--z", "Height at which the center of the ball touches. Without it: half as deep as the features are cut, which is told.");
 
     private readonly Option<double?> _clearance = ProbeOptions.Height(
-        "--clearance", "Height at which the ball travels between points. Without it: the highest move of the program, which is told.");
+        "--clearance", "Height of the ball's center between points. Without it: above the highest move of the program, which is told.");
 
     private readonly Option<double?> _approach = ProbeOptions.Positive(
         "--approach", "Distance from the part at which a measuring move starts. Without it: 2 mm, less where there is no room.", "MM");
