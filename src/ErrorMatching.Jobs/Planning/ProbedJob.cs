@@ -157,7 +157,7 @@ public sealed record ProbedJob
         {
             string[] names = [.. plan.Unplaced.Take(MostNamed).Select(b => path.Program.NameOf(path.Program[b]))];
             var others = plan.Unplaced.Count > MostNamed ? " and others" : "";
-            assumed.Add($"what {string.Join(" ", names)}{others} clear");
+            assumed.Add($"what is cleared by {string.Join(" ", names)}{others}");
         }
 
         var (dialect, template) = Template(wish, job, interpreted.OwnDialect, files, assumed);

@@ -209,7 +209,7 @@ public sealed partial class ProbedJobTests
                 "N50 G0 X-92. Y-10.",
                 "N41 G0 X-85. Y-60.\nN42 G1 Z-3. F250.\nN43 G18 G3 X-75. I5. K0.\nN44 G17 G0 Z25.\nN50 G0 X-92. Y-10.",
                 StringComparison.Ordinal));
-        Assert.Equal(["what N43 clear"], Probed(folder, Stated).Program.Moves.Assumed);
+        Assert.Equal(["what is cleared by N43"], Probed(folder, Stated).Program.Moves.Assumed);
     }
 
     // A slot of the part, 8 mm wide: a ball of 6 mm has 2 mm to go. 2 mm from one wall it would go down on the other.
