@@ -93,7 +93,7 @@ public sealed record ProbedJob
                 .In(job.File);
         }
 
-        var (assumed, notes, depth) = (new List<string>(), new List<string>(), double.NegativeInfinity);
+        var (assumed, notes) = (new List<string>(), new List<string>());
         var diameter = wish.StylusDiameterMm ?? job.Gauge.StylusDiameterMm ?? Assumed(PlannedJob.AssumedStylusMm, "ball");
         var isBuiltIn = wish.Template is not { } named || ProbingTemplate.Names.Contains(named);
         if (wish.OfCounterpart && isBuiltIn && OtherOffset(path) is { } other)
@@ -106,7 +106,7 @@ public sealed record ProbedJob
                 new() { File = program, Line = other + 1, Block = path.Program.NameOf(path.Program[other]) });
         }
 
-        depth = TouchPlanner.DepthMm(job, path, theoretical) ?? depth;
+        var depth = TouchPlanner.DepthMm(job, path, theoretical);
         if ((wish.TouchZ ?? TouchHeight(depth, diameter / 2)) is not { } z)
         {
             return new Refusal(
@@ -116,7 +116,7 @@ public sealed record ProbedJob
         }
 
         z = wish.TouchZ ?? Assumed(z, "touch at Z");
-        if (!wish.OfCounterpart && z - (diameter / 2) < depth - RoundingMm)
+        if (!wish.OfCounterpart && !(z - (diameter / 2) >= depth - RoundingMm))
         {
             Assumed(z - (diameter / 2), "a floor below Z");
         }
@@ -276,9 +276,8 @@ public sealed record ProbedJob
     }
 
     // Half as deep as the features are cut, but above what is below them if there is room for the ball.
-    private static double? TouchHeight(double depth, double radius) =>
-        !double.IsFinite(depth) || depth >= 0 ? null
-            : Math.Round(depth + radius < 0 ? Math.Max(depth / 2, depth + radius) : depth / 2, 3);
+    private static double? TouchHeight(double? depth, double radius) => depth is not { } mm || mm >= 0 ? null
+        : Math.Round(mm + radius < 0 ? Math.Max(mm / 2, mm + radius) : mm / 2, 3);
 
     private static double Highest(NcPath path)
     {

@@ -40,21 +40,7 @@ public sealed class ClearedRoom
             }
         }
 
-        // Under cutter compensation the control says where the tool's center goes.
-        if (CompensatedPath.Concerns(path) && CompensatedPath.Of(path) is { Refusal: null } compensated)
-        {
-            foreach (var motion in compensated.Motions)
-            {
-                var (start, end) = (motion.Plane.Project(motion.Start), motion.Plane.Project(motion.End));
-                if (motion.IsCompensated && motion.Plane == CoordinatePlane.XY && (motion.IsArc || start != end)
-                    && motion.UnknownEnd == AxisSet.None && Math.Max(motion.Start.Z, motion.End.Z) <= bottom)
-                {
-                    _centers.Add((
-                        new(start, end),
-                        motion.IsArc ? Arc2.Between(start, end, motion.Center, motion.Kind == MotionKind.ArcCounterClockwise) : null));
-                }
-            }
-        }
+        _centers.AddRange(CompensatedCenters.Of(path).Where(c => c.HighestMm <= bottom).Select(c => (c.Segment, c.Arc)));
     }
 
     /// <summary>The distance from the counterpart at which a measuring move can start, mm; null if the ball has no room at the point

@@ -30,14 +30,14 @@ public sealed class ProbeReach
         ArgumentNullException.ThrowIfNull(maps);
         (_frame, StylusRadiusMm, _limitMm) = (job.Counterpart.Frame, stylusDiameterMm / 2, job.Compensation.LimitMm);
         var toolRadius = job.Counterpart.ToolDiameterMm / 2;
-        var unplaced = new List<int>();
+        var (unplaced, top) = (new List<int>(), DepthMm(path, maps));
         for (var i = 0; i < path.Motions.Length; i++)
         {
             var motion = path.Motions[i];
 
             // The motion of a drilling cycle is the one over its hole.
             var isHole = motion.Kind == MotionKind.Cycle || motion.Has(MotionFlags.Cycle) || motion is { IsCut: true, MovesInPlane: false };
-            if (!(motion.IsCut || isHole || motion.Kind == MotionKind.Spline) || Lowest(motion) >= -LeastMm)
+            if (!(motion.IsCut || isHole || motion.Kind == MotionKind.Spline) || IsAbove(Lowest(motion)))
             {
                 continue;
             }
@@ -57,37 +57,27 @@ public sealed class ProbeReach
         }
 
         // Under cutter compensation the path is one side of what is cleared; the tool's center is the middle of it.
-        if (CompensatedPath.Concerns(path) && CompensatedPath.Of(path) is { Refusal: null } compensated)
-        {
-            foreach (var motion in compensated.Motions)
-            {
-                var (start, end) = (motion.Plane.Project(motion.Start), motion.Plane.Project(motion.End));
-                var lowest = Math.Min(motion.Start.Z, motion.End.Z);
-                if (motion.IsCompensated && motion.Plane == CoordinatePlane.XY && (motion.IsArc || start != end)
-                    && motion.UnknownEnd == AxisSet.None && lowest < -LeastMm)
-                {
-                    var arc = motion.IsArc
-                        ? Arc2.Between(start, end, motion.Center, motion.Kind == MotionKind.ArcCounterClockwise)
-                        : (Arc2?)null;
-                    _cuts.Add(new(new(start, end), arc, toolRadius, lowest));
-                }
-            }
-        }
+        _cuts.AddRange(CompensatedCenters.Of(path).Where(c => !IsAbove(c.LowestMm))
+            .Select(c => new Cut(c.Segment, c.Arc, toolRadius, c.LowestMm)));
 
         // What is faced over the boundary itself, above all features, says nothing about it.
-        var top = DepthMm(path, maps);
         Point2[] boundary = [.. maps.SelectMany(m => m.Passes[0].Feet.Select((f, k) => BoundaryAt(path, f, m.Normals[k], toolRadius)))];
         var faced = _cuts.Where(c => c.LowestMm > top + LeastMm).GroupBy(c => Math.Round(c.LowestMm, 2))
             .Where(level => level.Any(c => boundary.Any(at => c.DistanceTo(at) < -FacedMm)))
             .Select(level => level.Key).ToHashSet();
         _cuts.RemoveAll(c => c.LowestMm > top + LeastMm && faced.Contains(Math.Round(c.LowestMm, 2)));
         Unplaced = [.. unplaced.Distinct().Order()];
+
+        // Z0 is the top where the features are below it. Where it is not, nobody knows what is above the part.
+        bool IsAbove(double lowest) => top < -LeastMm && lowest >= -LeastMm;
     }
 
-    /// <summary>Blocks that clear something below Z0 of which it is not known where: the ball may meet what stands there.</summary>
+    /// <summary>Blocks that clear something in the part's height of which it is not known where: the ball may meet what stands
+    /// there.</summary>
     public IReadOnlyList<int> Unplaced { get; }
 
-    /// <summary>The depth to which each of the features is cut, mm; below Z0 it is negative.</summary>
+    /// <summary>The height down to which all features are cut, mm: that of the shallowest one. Minus infinity for those of which the
+    /// program does not say it.</summary>
     /// <param name="path">The counterpart's program, interpreted.</param>
     /// <param name="maps">The features mapped onto it.</param>
     public static double DepthMm(NcPath path, IReadOnlyList<FeatureMap> maps)

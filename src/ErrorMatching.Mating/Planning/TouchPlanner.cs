@@ -156,14 +156,16 @@ public static class TouchPlanner
         return plan.Result is { } own ? own with { Unplaced = reach.Unplaced } : plan;
     }
 
-    /// <summary>The depth to which each of the features is cut, mm, below Z0 negative; null if the program or the job cannot be
-    /// used.</summary>
+    /// <summary>The height down to which all features are cut, mm: that of the shallowest one. Null if the program does not say it of each,
+    /// or cannot be used.</summary>
     /// <param name="job">The job.</param>
     /// <param name="path">The counterpart's program, interpreted.</param>
     /// <param name="theoretical">The key points as designed.</param>
     /// <exception cref="InputException">A key point is missing. A selector cannot be read.</exception>
     public static double? DepthMm(MatingJob job, NcPath path, MeasurementFile theoretical) =>
-        NotMapped(job, path, theoretical, out var maps) is null ? ProbeReach.DepthMm(path, maps) : null;
+        NotMapped(job, path, theoretical, out var maps) is null && maps.All(m => double.IsFinite(ProbeReach.DepthMm(path, [m])))
+            ? ProbeReach.DepthMm(path, maps)
+            : null;
 
     /// <summary>The same on the counterpart: places and normals are in the program's frame, normals out of the counterpart's
     /// material.</summary>

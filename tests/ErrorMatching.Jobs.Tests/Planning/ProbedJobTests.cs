@@ -198,6 +198,29 @@ public sealed partial class ProbedJobTests
         Assert.All(outcome.Refusals, r => Assert.Equal(("out-of-reach", "L1"), (r.Code, r.Place.Feature)));
     }
 
+    // With Z0 at the bottom of the piece all cuts are above it, and stand in the ball's way all the same.
+    [Fact]
+    public void Where_Z0_is_at_the_bottom_the_part_is_as_much_in_the_way()
+    {
+        using var folder = Copied();
+        File.WriteAllText(
+            folder["counterpart.nc"],
+            ZWord().Replace(
+                File.ReadAllText(folder["counterpart.nc"]),
+                z => FormattableString.Invariant($"Z{double.Parse(z.Groups["z"].Value, CultureInfo.InvariantCulture) + 30:0.0##}")));
+        var wish = Stated with { TouchZ = 25, ClearanceZ = 60 };
+        Assert.Equal(28, Probed(folder, wish).Points.Count);
+        Assert.All(
+            ProbedJob.Of(folder["job.json"], wish with { StylusDiameterMm = 60 }, TestContext.Current.CancellationToken).Refusals,
+            r => Assert.Equal("out-of-reach", r.Code));
+        Assert.False(
+            ProbedJob.Of(folder["job.json"], wish with { StylusDiameterMm = 60 }, TestContext.Current.CancellationToken).IsUsable);
+
+        // How deep to touch below what, nobody says.
+        Assert.Equal("height-missing", ProbedJob.Of(
+            folder["job.json"], wish with { TouchZ = null }, TestContext.Current.CancellationToken).Refusal!.Code);
+    }
+
     // Where an arc of another plane clears something, nobody looked.
     [Fact]
     public void What_is_cleared_at_a_place_that_is_not_known_stops_the_program_with_its_block()
@@ -368,6 +391,9 @@ public sealed partial class ProbedJobTests
 
         return folder;
     }
+
+    [GeneratedRegex("Z(?<z>-?[0-9.]+)", RegexOptions.CultureInvariant | RegexOptions.ExplicitCapture, 1000)]
+    private static partial Regex ZWord();
 
     [GeneratedRegex("^G[0-9]+ [XYZ]", RegexOptions.CultureInvariant, 1000)]
     private static partial Regex FirstMove();
