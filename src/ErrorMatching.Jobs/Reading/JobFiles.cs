@@ -159,7 +159,7 @@ public sealed class JobFiles
     /// <summary>The counterpart's program, interpreted as a match does it.</summary>
     /// <exception cref="InputException">The program, one that it calls, or the job's own dialect cannot be used.</exception>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
-    internal JobProgram Interpret(CancellationToken cancellation)
+    internal InterpretedProgram Interpret(CancellationToken cancellation)
     {
         var (file, bytes) = Program(null);
         var (own, called) = (OwnDialect(), Called());
@@ -234,3 +234,12 @@ public sealed class JobFiles
         return MeasurementReader.Read(source, format);
     }
 }
+
+/// <summary>A job's program, interpreted.</summary>
+/// <param name="File">The program as a path from the caller's folder.</param>
+/// <param name="Bytes">Its content.</param>
+/// <param name="OwnDialect">The job's dialect if it names a file of the shop; otherwise null.</param>
+/// <param name="Called">The programs that it calls.</param>
+/// <param name="Path">Its path.</param>
+internal sealed record InterpretedProgram(
+    string File, ReadOnlyMemory<byte> Bytes, NcDialect? OwnDialect, ProgramFolder Called, NcPath Path);
