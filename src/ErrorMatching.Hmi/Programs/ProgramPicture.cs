@@ -258,6 +258,7 @@ public sealed class ProgramPicture : Observable
                 var (first, last) = program.Trimmed(range);
                 return BlockNames.Of(program.Path.Program, first, last);
             });
+
             // Clears the selection after use: the next feature needs other blocks.
             Selection = Selection == range ? null : Selection;
             RangeChosen?.Invoke(new(feature, words, isMore));

@@ -1,3 +1,5 @@
+using System.Text.Json.Serialization;
+
 namespace ErrorMatching.Jobs;
 
 /// <summary>The piece to be cut, and its program, as typed. An empty field means the job's default.</summary>
@@ -29,4 +31,9 @@ public sealed record CounterpartDraft(
 {
     /// <summary>SHA-256 of the program for which the blocks were chosen; empty if the job does not state it.</summary>
     public string ProgramSha256 { get; init; } = "";
+
+    /// <summary>The individual folders of <see cref="Libraries"/>.</summary>
+    [JsonIgnore]
+    public IReadOnlyList<string> LibraryList =>
+        Libraries.Split(';', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries);
 }

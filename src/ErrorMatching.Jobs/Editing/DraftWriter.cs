@@ -193,8 +193,7 @@ internal sealed class DraftWriter(MatingDraft draft)
         Optional(counterpart, "programSha256", c.ProgramSha256);
         if (HasText(c.Libraries))
         {
-            counterpart["libraries"] = Texts(
-                c.Libraries.Split(';', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries));
+            counterpart["libraries"] = Texts(c.LibraryList);
         }
 
         return counterpart;

@@ -222,11 +222,9 @@ public sealed record OutlineJob
 
     private static Outcome<Opened> Open(OutlineRequest request, CancellationToken cancellation)
     {
-        var dialect = InputFile.Dialect(request.Dialect).With(request.BlockSkip);
-        dialect = request.Assumed.Count > 0 ? dialect.With(request.Assumed) : dialect;
         var path = NcInterpreter.Run(
             NcProgram.Read(InputFile.Program(request.Program)),
-            dialect,
+            request.Control ?? InputFile.Dialect(request.Dialect),
             new ProgramFolder(request.Program, request.Libraries).Find,
             cancellation);
         if (path.Refusal is { } refusal)
@@ -537,11 +535,8 @@ public sealed record OutlineRequest(string Job, string Drawing, string Program, 
     /// <summary>Millimeters in the drawing's unit; null if the drawing says it.</summary>
     public double? UnitMm { get; init; }
 
-    /// <summary>State of the machine's block skip switches.</summary>
-    public BlockSkip BlockSkip { get; init; }
-
-    /// <summary>Values that the machine has and the program does not state.</summary>
-    public AssumedValues Assumed { get; init; } = AssumedValues.None;
+    /// <summary>The dialect with what is stated of the machine; null for <see cref="Dialect"/> as it is.</summary>
+    public NcDialect? Control { get; init; }
 
     /// <summary>Folders with programs that this one calls.</summary>
     public IReadOnlyList<string> Libraries { get; init; } = [];
@@ -552,6 +547,7 @@ public sealed record OutlineRequest(string Job, string Drawing, string Program, 
     /// <param name="job">The job's file, for relative paths.</param>
     /// <param name="drawing">The drawing.</param>
     /// <param name="program">The counterpart's program.</param>
+    /// <exception cref="InputException">The dialect cannot be opened or used.</exception>
     public static OutlineRequest For(MatingDraft draft, string job, string drawing, string program)
     {
         ArgumentNullException.ThrowIfNull(draft);
@@ -561,11 +557,8 @@ public sealed record OutlineRequest(string Job, string Drawing, string Program, 
         return new(job, drawing, program, NcDialects.IsFile(dialect) ? Path.Combine(folder, dialect) : dialect)
         {
             ToolDiameterMm = isEmpty && DraftNumber.Value(counterpart.ToolDiameter) is > 0 and var mm ? mm : null,
-            BlockSkip = BlockSkips.Of(counterpart.BlockSkip),
-            Assumed = AssumedValues.Of(counterpart.Assume.Split(';').Select(AssumedValues.Read).OfType<KeyValuePair<string, double>>()),
-            Libraries = [
-                .. counterpart.Libraries.Split(';', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries)
-                    .Select(l => Path.Combine(folder, l))],
+            Control = MatingDraftCheck.DialectOf(draft, job),
+            Libraries = [.. counterpart.LibraryList.Select(l => Path.Combine(folder, l))],
         };
     }
 }

@@ -159,6 +159,9 @@ public sealed class DrawnJobTests
         seat.Seat.Tap("outline-unit").WaitFor(() => choice.Picture.Outline.Count > 0, "The outline is not shown.");
         Assert.Null(choice.OtherUnit);
 
+        // What the list said of the layer in millimeters is not true of it in inches.
+        Assert.StartsWith("Curves: 6. The program cuts 9", choice.Layers[0].Text, StringComparison.Ordinal);
+
         // Undo does not reach the form behind it, but somebody else's change is seen.
         var before = seat.Draft;
         seat.Seat.User.Press(Key.Z, RawInputModifiers.Control);

@@ -114,7 +114,7 @@ public sealed class BlockRunTests
         var counterpart = MatingJob.Parse(found.JobAt(shop["new.json"]), shop["new.json"]).Counterpart;
         Assert.Equal(Convert.ToHexStringLower(SHA256.HashData(File.ReadAllBytes(shop["counterpart.nc"]))), counterpart.ProgramSha256);
 
-        // Whoever edits the program finds them again: in other lines, with another hash.
+        // After an edit of the program they are found in other lines, with another hash.
         File.WriteAllBytes(shop["new.json"], found.JobAt(shop["new.json"]));
         File.WriteAllText(shop["counterpart.nc"], "(EDITED)\n" + File.ReadAllText(shop["counterpart.nc"]));
         var again = BlockRun.Of(shop["new.json"], CancellationToken.None).Result!;

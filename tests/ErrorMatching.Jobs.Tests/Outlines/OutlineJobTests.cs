@@ -218,7 +218,7 @@ public sealed class OutlineJobTests : IDisposable
             Counterpart = new() { Dialect = "fanuc", ToolDiameter = "6", BlockSkip = "on", Libraries = "subs; more" },
         };
         var request = OutlineRequest.For(draft, Path.Combine(_folder, "job.json"), "o.dxf", "p.nc");
-        Assert.Equal((6, BlockSkip.On, "fanuc"), (request.ToolDiameterMm, request.BlockSkip, request.Dialect));
+        Assert.Equal((6, BlockSkip.On, "fanuc"), (request.ToolDiameterMm, request.Control!.BlockSkip, request.Dialect));
         Assert.Equal([Path.Combine(_folder, "subs"), Path.Combine(_folder, "more")], request.Libraries);
         Assert.Null(OutlineRequest.For(draft with { IsBegunAnew = false }, request.Job, "o.dxf", "p.nc").ToolDiameterMm);
         Assert.Null(OutlineRequest.For(Made(Polygon(Outline)).Into(draft), request.Job, "o.dxf", "p.nc").ToolDiameterMm);
@@ -229,7 +229,8 @@ public sealed class OutlineJobTests : IDisposable
     {
         var slashed = Program.Replace("N50 ", "/N45 X99.\nN50 ", StringComparison.Ordinal);
         Assert.NotEqual(6, Make(Polygon(Outline), slashed).Result?.Features.Count);
-        var made = OutlineJob.Of(Request(null, null, null) with { BlockSkip = BlockSkip.On }, TestContext.Current.CancellationToken);
+        var skipping = NcDialects.Named("fanuc").With(BlockSkip.On);
+        var made = OutlineJob.Of(Request(null, null, null) with { Control = skipping }, TestContext.Current.CancellationToken);
         Assert.Equal(6, made.Result!.Features.Count);
     }
 

@@ -33,9 +33,10 @@ public sealed class PlanComparisonTests(ITestOutputHelper output)
             var count = planned.Plan.Points.Count();
             var total = outline.Sum(l => l.Length);
             var needed = double.NaN;
-            foreach (var share in Spacings)
+            foreach (var share in Spacings.Take(Depth.Of(4, Spacings.Length)))
             {
-                var of = Phases.Select(p => Equal(folder, outline, share * total / count, p, seed)).ToArray();
+                var of = Phases.Take(Depth.Of(2, Phases.Length))
+                    .Select(p => Equal(folder, outline, share * total / count, p, seed)).ToArray();
                 var (points, bounds) = (of.Average(e => e.Count), of.Select(e => e.Bound).Order().ElementAt(of.Length / 2));
                 output.WriteLine(string.Create(
                     CultureInfo.InvariantCulture, $"{seed}: {points:0.0} equally spaced points tell ±{bounds:0.0000} mm"));

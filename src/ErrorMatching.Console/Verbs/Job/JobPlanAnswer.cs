@@ -118,7 +118,11 @@ internal sealed class JobPlanAnswer(PlannedJob planned, string? plan, string? jo
         var pair = planned.Job.Features.Any(f => f.GapMm > 0) && prediction.Assembles is { } chance
             ? string.Create(CultureInfo.InvariantCulture, $"; the pair goes together with {Math.Floor(100 * chance):0} %")
             : "";
-        return $"With {points}: {bound}{pair}.";
+        var parts = prediction.Parts is > 0 and < PlanPrediction.Draws
+            ? $" Only {ReportNumber.Count(prediction.Parts, "part")} of {PlanPrediction.Draws} drawn ones could be matched: see errormatch "
+                + "job check."
+            : "";
+        return $"With {points}: {bound}{pair}.{parts}";
     }
 
     private static string Text(double value) => (Math.Round(value, 4) + 0.0).ToString("0.0000", CultureInfo.InvariantCulture);

@@ -168,6 +168,11 @@ internal sealed class OutlineChoice : Observable
             _clock);
         if (layer == _layer)
         {
+            if (failure is null && job is not null)
+            {
+                layer.Layer = layer.Layer with { IsTried = true, CoveredShare = job.CoveredShare };
+            }
+
             Show(
                 failure is null ? job : null,
                 failure is not null ? () => failure : refusal is null ? null : () => CodeText.Of(refusal),
@@ -179,6 +184,13 @@ internal sealed class OutlineChoice : Observable
     private void TakeOtherUnit()
     {
         _request = _request with { UnitMm = _otherUnit == "inch" ? 25.4 : 1 };
+
+        // What was found in the other unit says nothing.
+        foreach (var layer in Layers)
+        {
+            layer.Layer = layer.Layer with { IsTried = false, CoveredShare = null };
+        }
+
         Laying = LayAsync().Watched();
     }
 
@@ -220,11 +232,21 @@ internal sealed class OutlineChoice : Observable
 /// <summary>A layer of a drawing, to be chosen.</summary>
 internal sealed class LayerChoice(OutlineLayer layer, int index) : Observable
 {
+    private OutlineLayer _layer = layer;
+
     /// <summary>Its AutomationId.</summary>
     public string Id { get; } = "outline-layer-" + Shown.Id(index);
 
-    /// <summary>The layer.</summary>
-    public OutlineLayer Layer { get; } = layer;
+    /// <summary>The layer, with what is known of it.</summary>
+    public OutlineLayer Layer
+    {
+        get => _layer;
+        set
+        {
+            _layer = value;
+            OnPropertyChanged();
+        }
+    }
 
     /// <summary>Its name.</summary>
     public string Name => Layer.Name;

@@ -1,4 +1,5 @@
 using ErrorMatching.Jobs;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi;
 
@@ -48,27 +49,26 @@ internal sealed class OutlineTaking
 
         var (editing, draft, file) = (_screen.Editing, _screen.Editing.Draft, _screen.Editing.Job!.File);
         Choice = null;
-        var request = OutlineRequest.For(draft, file, drawing, program);
-        Func<string>? refused = null;
-        OutlineLayer[]? layers = null;
+        OutlineRequest? request = null;
+        Outcome<OutlineLayer[]>? layers = null;
         OpenedProgram? opened = null;
         await _screen.TryAsync(() =>
         {
-            var outcome = OutlineJob.LayersOf(request, cancellation);
-            (layers, refused) = (outcome.Result, outcome.IsUsable ? null : () => CodeText.Of(outcome.Refusal));
-            opened = OpenedProgram.Read(InputFile.Program(program), MatingDraftCheck.DialectOf(draft, file), cancellation);
+            request = OutlineRequest.For(draft, file, drawing, program);
+            layers = OutlineJob.LayersOf(request, cancellation);
+            opened = OpenedProgram.Read(InputFile.Program(program), request.Control!, cancellation);
         });
-        if (layers is not null && !ReferenceEquals(draft, editing.Draft))
+        if (layers is { Refusal: { } refusal })
+        {
+            _screen.Report(() => CodeText.Of(refusal));
+        }
+        else if (!ReferenceEquals(draft, editing.Draft))
         {
             _screen.Report(() => Texts.Current["Outline.JobChanged"]);
         }
-        else if (layers is not null && opened is not null)
+        else if (opened is not null)
         {
-            Choice = new(editing, request, opened, layers, _screen.Station.Clock, () => Choice = null);
-        }
-        else if (refused is not null)
-        {
-            _screen.Report(refused);
+            Choice = new(editing, request!, opened, layers!.Result!, _screen.Station.Clock, () => Choice = null);
         }
 
         _screen.Show();
