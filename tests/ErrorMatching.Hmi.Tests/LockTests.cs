@@ -74,10 +74,49 @@ public sealed class LockTests
         Assert.True(seat.Shell.IsLocked);
     });
 
+    [Fact]
+    public Task Whoever_signs_in_while_the_empty_seat_is_noticed_stays_signed_in() => Seat.AtAsync(seat =>
+    {
+        var (screen, left, before) = (new HeldContext(), 0, SynchronizationContext.Current);
+        SynchronizationContext.SetSynchronizationContext(screen);
+        using var guard = new SeatGuard(seat.Station, () => left++);
+        SynchronizationContext.SetSynchronizationContext(before);
+
+        // The empty seat has been seen, and the screen hears of it after the sign-in.
+        seat.WaitFor(() => screen.Holds, "Nobody looks.");
+        seat.SignIn(DemoCell.Setter);
+        guard.Arrive();
+        screen.Catch();
+        Assert.Equal(0, left);
+
+        seat.Station.Session.SignOut();
+        seat.WaitFor(() => screen.Holds, "Nobody looks.");
+        screen.Catch();
+        Assert.NotEqual(0, left);
+    });
+
     // What people did: the cell itself goes on and writes down what it does.
     private static int Entries(Seat seat) =>
         seat.Station.Store.AuditEntries(0, 1000).Count(e => e.Who != "cell" && e.What is not ("signed-out" or "sign-in-refused"));
 
     private static Point Middle(Seat seat, string id) =>
         seat.See(id) is var control ? control.TranslatePoint(new Rect(control.Bounds.Size).Center, seat.Window)!.Value : default;
+
+    // A screen that is busy: what is posted to it waits.
+    private sealed class HeldContext : SynchronizationContext
+    {
+        private readonly System.Collections.Concurrent.ConcurrentQueue<Action> _held = new();
+
+        public bool Holds => !_held.IsEmpty;
+
+        public override void Post(SendOrPostCallback d, object? state) => _held.Enqueue(() => d(state));
+
+        public void Catch()
+        {
+            while (_held.TryDequeue(out var work))
+            {
+                work();
+            }
+        }
+    }
 }

@@ -12,6 +12,7 @@ internal sealed class SeatGuard : IDisposable
     private readonly SynchronizationContext _screen;
     private readonly ITimer _timer;
     private long _touched;
+    private int _arrivals;
     private bool _isOver;
 
     /// <summary>Starts to look. Call it on the UI thread.</summary>
@@ -33,6 +34,9 @@ internal sealed class SeatGuard : IDisposable
             _ = Task.Run(KeepAlive).Watched();
         }
     }
+
+    /// <summary>Call this on the UI thread when somebody has signed in: what was seen before is about an empty seat.</summary>
+    public void Arrive() => _arrivals++;
 
     /// <summary>Ends the session.</summary>
     public Task LeaveAsync() => Task.Run(Leave, CancellationToken.None);
@@ -70,6 +74,7 @@ internal sealed class SeatGuard : IDisposable
 
     private void LookForUser()
     {
+        var arrivals = Volatile.Read(ref _arrivals);
         try
         {
             if (_station.Session.Who is not null)
@@ -85,7 +90,7 @@ internal sealed class SeatGuard : IDisposable
         _screen.Post(
             _ =>
             {
-                if (!_isOver)
+                if (!_isOver && arrivals == _arrivals)
                 {
                     _left();
                 }

@@ -330,6 +330,7 @@ public sealed class ShellViewModel : Observable, IDisposable
         var isOther = _lastName != who.Name;
         _login!.Dispose();
         (_login, _who) = (null, who);
+        _seat.Arrive();
         Preferences.Take(who.Name);
         Editing.Refresh();
         Looked = isOther ? new() : Looked;

@@ -146,15 +146,6 @@ internal sealed class Seat : IAsyncDisposable
         See("login-users");
         (Find("login-user-" + name) is null ? Type("login-name", name) : Tap("login-user-" + name))
             .Type("login-password", DemoCell.Password).Tap("login-sign-in");
-
-        // What waits may have come into the view meanwhile and moved the button away: a person taps again.
-        var tapped = TimeProvider.System.GetTimestamp();
-        WaitFor(() => !Shell.IsLocked || TimeProvider.System.GetElapsedTime(tapped) > CatchUp, "The station stays locked.");
-        if (Shell.IsLocked && Find("login-sign-in") is { IsEffectivelyEnabled: true })
-        {
-            Tap("login-sign-in");
-        }
-
         return WaitFor(() => !Shell.IsLocked, "The station stays locked.");
     }
 
