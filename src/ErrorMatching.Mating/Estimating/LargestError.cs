@@ -6,27 +6,27 @@ internal static class LargestError
     // The same numbers for the same input, on every system.
     private const ulong Seed = 0x0F1E2D3C4B5A6978;
 
-    // Draws, each with its mirror image. A quantile of 95 % is off by about 2 % of itself.
+    // Draws, each with its mirror image. A quantile of 95 % is off by about 2 % of itself, by 3 % where five points tell the scale, and by
+    // 5 % where three do.
     private const int Draws = 2000;
 
     /// <summary>The value that the largest error, either way, exceeds with a given risk: boundaries are drawn from what is known about
     /// them, and the largest error of each is taken over all places.</summary>
     /// <param name="expectedMm">The expected errors.</param>
     /// <param name="unknown">What is not known about them: columns that one standard normal number scales each.</param>
-    /// <param name="freedom">Number of values that told the scale of the columns, 1 or more: it is not known better than they tell it, so
-    /// the errors follow Student's distribution. Null for a scale that is known.</param>
+    /// <param name="scale">How well the scale of the columns is known; null for a scale that is known.</param>
     /// <param name="risk">The risk, above 0 and below 1.</param>
-    public static double BoundMm(IReadOnlyList<double> expectedMm, IReadOnlyList<double[]> unknown, int? freedom, double risk)
+    public static double BoundMm(IReadOnlyList<double> expectedMm, IReadOnlyList<double[]> unknown, ColumnScale? scale, double risk)
     {
         var variates = new NormalVariates(Seed);
         var (off, largest) = (new double[expectedMm.Count], new double[2 * Draws]);
         for (var draw = 0; draw < Draws; draw++)
         {
             Array.Clear(off);
-            var scale = freedom is { } values ? Student(values) : 1;
-            foreach (var column in unknown)
+            var ratio = scale is null ? 1 : Student(scale.Freedom);
+            for (var c = 0; c < unknown.Count; c++)
             {
-                var by = scale * variates.Next();
+                var (column, by) = (unknown[c], (scale?.Of(c, ratio) ?? 1) * variates.Next());
                 for (var k = 0; k < off.Length; k++)
                 {
                     off[k] += by * column[k];
@@ -43,7 +43,7 @@ internal static class LargestError
         Array.Sort(largest);
         return largest[(int)Math.Ceiling((1 - risk) * largest.Length) - 1];
 
-        // A standard deviation over the one that so many values show.
+        // A standard deviation over the one that so many free values show.
         double Student(int values)
         {
             var squares = 0.0;

@@ -273,7 +273,7 @@ internal sealed class RunEstimate
     /// <returns>The error, its place in the program's frame; null if no element has two key points.</returns>
     public PredictedError? WorstAlong(IReadOnlyList<BoundaryElement> elements, RunPath after, ToleranceBand? limits, double risk)
     {
-        int? freedom = elements.All(e => e.FormMm is not null) ? null : Math.Max(1, Points.Count - 1);
+        var scale = elements.All(e => e.FormMm is not null) ? null : ColumnScale.ToldBy(Points.Count);
         var places = elements.SelectMany(e => Between(e).Select(at => (Element: e, At: at))).ToArray();
         PredictedError[] errors = [.. places.Select(p => ErrorBetween(p.Element, p.At, ErrorBetween(p.Element, after, p.At)))];
         if (PredictedError.Worst(errors, limits) is not { } worst)
@@ -285,7 +285,7 @@ internal sealed class RunEstimate
         int[] drawn = [.. Enumerable.Range(0, places.Length).Where(k => k % (1 + (places.Length / MostDrawn)) == 0)];
         var unknown = JointFactor.Of(
             0, Field!.Together([.. drawn.Select(k => (IReadOnlyList<RowTerm>)[TermOf(places[k].Element, places[k].At, 1)])]));
-        return worst.Within(LargestError.BoundMm([.. drawn.Select(k => errors[k].AfterMm)], unknown.Columns, freedom, risk));
+        return worst.Within(LargestError.BoundMm([.. drawn.Select(k => errors[k].AfterMm)], unknown.Columns, scale, risk));
     }
 
     /// <summary>The middle between the two neighboring key points of an element that are furthest apart, where one more would tell most

@@ -27,8 +27,11 @@ internal sealed record WholeShape
     // Its columns, times standard normal numbers, are what is not known about the parameters.
     private readonly Matrix<double> _spread;
 
+    // Of a point: the stated uncertainty, and what the points scatter.
+    private readonly double _statedMm, _scatterMm;
+
     private readonly double _radius, _formMm;
-    private readonly bool _tellsForm;
+    private readonly int _freedom;
     private readonly IReadOnlyList<Point2> _points;
 
     private WholeShape(
@@ -44,12 +47,11 @@ internal sealed record WholeShape
         var values = Vector<double>.Build.Dense(points.Count, i => points[i].Mm);
         var fitted = Fit(rows, u);
         var left = values - (rows * fitted.Solve(rows.TransposeThisAndMultiply(values) / (u * u)));
-        var freedom = points.Count - rows.ColumnCount;
-        var scatter = freedom > 0 ? Math.Sqrt(left.DotProduct(left) / freedom) : 0;
+        _freedom = points.Count - rows.ColumnCount;
+        (_statedMm, _scatterMm) = (u, _freedom > 0 ? Math.Sqrt(left.DotProduct(left) / _freedom) : 0);
         _points = [.. points.Select(p => p.Place)];
-        _tellsForm = freedom >= TellingPoints;
-        _formMm = Math.Sqrt(Math.Max(0, (scatter * scatter) - (u * u)));
-        u = Math.Max(u, scatter);
+        _formMm = FormOf(_scatterMm);
+        u = Math.Max(u, _scatterMm);
         fitted = Fit(rows, u);
         _mean = fitted.Solve(rows.TransposeThisAndMultiply(values) / (u * u));
         _spread = fitted.Factor.Transpose().Inverse();
@@ -96,8 +98,9 @@ internal sealed record WholeShape
     }
 
     /// <summary>Places all around as the program before cuts them, with their normals toward the tool.</summary>
-    public IReadOnlyList<(Point2 Place, Vector2 Normal)> Places { get; private init; } = [];
+    public IReadOnlyList<(Point2 Place, Vector2 Normal)> Places { get; init; } = [];
 
+    private bool TellsForm => _freedom >= TellingPoints;
     /// <summary>The worst error all around.</summary>
     /// <param name="before">The cuts of the program before.</param>
     /// <param name="after">Those of the program to cut.</param>
@@ -107,7 +110,7 @@ internal sealed record WholeShape
     /// <returns>The error; if the points do not tell a form error, that at the place furthest from all points, not known.</returns>
     public PredictedError WorstOn(RunPath before, RunPath after, double? statedMm, ToleranceBand? limits, double risk)
     {
-        var isKnown = statedMm is not null || _tellsForm;
+        var isKnown = statedMm is not null || TellsForm;
         if (!isKnown)
         {
             return Error(Places.MaxBy(p => _points.Min(q => q.DistanceTo(p.Place)))) with
@@ -118,7 +121,7 @@ internal sealed record WholeShape
 
         PredictedError[] errors = [.. Places.Select(Error)];
         var worst = PredictedError.Worst(errors, limits)!;
-        return worst.Within(LargestError.BoundMm([.. errors.Select(e => e.AfterMm)], FactorAround(statedMm), null, risk));
+        return worst.Within(BoundMm([.. errors.Select(e => e.AfterMm)], statedMm, risk));
 
         PredictedError Error((Point2 Place, Vector2 Normal) at)
         {
@@ -126,6 +129,31 @@ internal sealed record WholeShape
             return new(at.Place, at.Normal, ErrorOn(before, at), ErrorOn(after, at), Math.Sqrt(shape + (form * form)));
         }
     }
+
+    /// <summary>The value that the largest error at <see cref="Places"/> exceeds with a given risk.</summary>
+    /// <remarks>What the points scatter is known no better than their number allows. Where the job states no form error, one is what the
+    /// scatter has beyond the stated uncertainty in each draw: with a single estimate of it, the true error of circles whose form is about as
+    /// large as the uncertainty was beyond the bound in one of five.</remarks>
+    /// <param name="expectedMm">The expected errors there.</param>
+    /// <param name="statedMm">Standard deviation of the form error as the job states it; null if the points are to tell it.</param>
+    /// <param name="risk">The risk, above 0 and below 1.</param>
+    public double BoundMm(IReadOnlyList<double> expectedMm, double? statedMm, double risk)
+    {
+        if (statedMm is not null)
+        {
+            return LargestError.BoundMm(expectedMm, FactorAround(statedMm), null, risk);
+        }
+
+        var shape = Factor(Places);
+        var scale = new ColumnScale(
+            _freedom,
+            (column, ratio) => column < shape.Count
+                ? Math.Max(_statedMm, ratio * _scatterMm) / Math.Max(_statedMm, _scatterMm)
+                : FormOf(ratio * _scatterMm));
+        return LargestError.BoundMm(expectedMm, [.. shape, .. FormAround(1)], scale, risk);
+    }
+
+    private double FormOf(double scatterMm) => Math.Sqrt(Math.Max(0, (scatterMm * scatterMm) - (_statedMm * _statedMm)));
 
     private double ErrorOn(RunPath cuts, (Point2 Place, Vector2 Normal) at) =>
         cuts.FootOf(at.Place + (at.Normal * DeviationAt(at.Place, at.Normal)), at.Normal).DistanceMm - _radius;
@@ -142,14 +170,12 @@ internal sealed record WholeShape
 
     /// <summary>What is not known about the deviations at <see cref="Places"/> together, the form error included, in columns.</summary>
     /// <param name="statedMm">Standard deviation of the form error as the job states it; null for what the points tell of it.</param>
-    public IReadOnlyList<double[]> FactorAround(double? statedMm)
-    {
-        var mm = (statedMm ?? (_tellsForm ? _formMm : 0)) / Math.Sqrt(FormWaves);
-        return [
-            .. Factor(Places),
-            .. Enumerable.Range(2, FormWaves).SelectMany(n => new[] { 0.0, Math.PI / 2 }.Select(phase =>
-                Places.Select((_, k) => mm * Elementary.Cos((2 * Math.PI * n * k / Places.Count) - phase)).ToArray()))];
-    }
+    public IReadOnlyList<double[]> FactorAround(double? statedMm) =>
+        [.. Factor(Places), .. FormAround(statedMm ?? (TellsForm ? _formMm : 0))];
+
+    private IEnumerable<double[]> FormAround(double mm) => Enumerable.Range(2, FormWaves).SelectMany(n =>
+        new[] { 0.0, Math.PI / 2 }.Select(phase =>
+            Places.Select((_, k) => mm / Math.Sqrt(FormWaves) * Elementary.Cos((2 * Math.PI * n * k / Places.Count) - phase)).ToArray()));
 
     // What each parameter does at a place. The ends of a stretched slot shift apart.
     private double[] Row(Point2 place, Vector2 normal) => _along is not { } along
