@@ -20,7 +20,9 @@ internal sealed class CutPath
 
     private readonly NcPath _path;
     private readonly List<int> _motions = [];
-    private readonly Dictionary<(int X, int Y), List<int>> _cells = [];
+    // Squares that cover the program, with the motions in each.
+    private readonly List<int>?[,] _cells;
+    private readonly Point2 _corner;
     private readonly double _cellMm;
 
     /// <summary>Takes the cuts of a program.</summary>
@@ -47,18 +49,21 @@ internal sealed class CutPath
             }
         }
 
-        _cellMm = _motions.Count == 0 ? 1 : Math.Max(LeastCellMm, Math.Max(right - left, high - low) / CellsAlong);
+        if (_motions.Count == 0)
+        {
+            (_corner, _cellMm, _cells) = (Point2.Origin, 1, new List<int>?[0, 0]);
+            return;
+        }
+
+        (_corner, _cellMm) = (new(left, low), Math.Max(LeastCellMm, Math.Max(right - left, high - low) / CellsAlong));
+        _cells = new List<int>?[1 + (int)((right - left) / _cellMm), 1 + (int)((high - low) / _cellMm)];
         foreach (var m in _motions)
         {
             var steps = 1 + (int)Math.Min(100_000, path.Motions[m].PlaneLength / _cellMm * 2);
             for (var k = 0; k <= steps; k++)
             {
-                var cell = CellOf(path.Motions[m].PlaneAt((double)k / steps));
-                if (!_cells.TryGetValue(cell, out var list))
-                {
-                    _cells[cell] = list = [];
-                }
-
+                var (x, y) = CellOf(path.Motions[m].PlaneAt((double)k / steps));
+                var list = _cells[x, y] ??= [];
                 if (list.Count == 0 || list[^1] != m)
                 {
                     list.Add(m);
@@ -131,23 +136,40 @@ internal sealed class CutPath
     {
         CutFoot? best = null;
         var (x, y) = CellOf(point);
-        var reach = (int)Math.Ceiling(withinMm / _cellMm) + 1;
-        for (var i = x - reach; i <= x + reach; i++)
+
+        // What lies in a square so many rings away is at least this far, less one square: also at the rim, where squares hold more.
+        var rings = Math.Max(_cells.GetLength(0), _cells.GetLength(1));
+        for (var ring = 0; ring < rings && (ring - 1) * _cellMm <= Math.Min(withinMm, best?.DistanceMm ?? withinMm); ring++)
         {
-            for (var j = y - reach; j <= y + reach; j++)
+            for (var i = Math.Max(x - ring, 0); i <= Math.Min(x + ring, _cells.GetLength(0) - 1); i++)
             {
-                foreach (var m in _cells.GetValueOrDefault((i, j)) ?? [])
+                var step = ring == 0 || Math.Abs(i - x) == ring ? 1 : 2 * ring;
+                for (var j = y - ring; j <= y + ring; j += step)
                 {
-                    var motion = _path.Motions[m];
-                    var fraction = Math.Clamp(
-                        motion.IsArc ? motion.Arc.NearestFraction(point) : motion.Segment.NearestFraction(point), 0, 1);
-                    var at = motion.PlaneAt(fraction);
-                    var distance = at.DistanceTo(point);
-                    if (distance <= withinMm && (best is null || distance < best.Value.DistanceMm))
+                    if (j >= 0 && j < _cells.GetLength(1) && _cells[i, j] is { } motions)
                     {
-                        best = new(m, at, distance, IsOffset(m), motion.TangentAt(fraction).Left);
+                        best = Nearest(motions, point, withinMm, best);
                     }
                 }
+            }
+        }
+
+        return best;
+    }
+
+    // Of two that are equally near, the first one in the program.
+    private CutFoot? Nearest(List<int> motions, Point2 point, double withinMm, CutFoot? best)
+    {
+        foreach (var m in motions)
+        {
+            var motion = _path.Motions[m];
+            var fraction = Math.Clamp(motion.IsArc ? motion.Arc.NearestFraction(point) : motion.Segment.NearestFraction(point), 0, 1);
+            var at = motion.PlaneAt(fraction);
+            var distance = at.DistanceTo(point);
+            if (distance <= withinMm
+                && (best is not { } last || distance < last.DistanceMm || (distance == last.DistanceMm && m < last.Motion)))
+            {
+                best = new(m, at, distance, IsOffset(m), motion.TangentAt(fraction).Left);
             }
         }
 
@@ -157,7 +179,10 @@ internal sealed class CutPath
     private bool IsOffset(int motion) =>
         _path.Motions[motion].Has(MotionFlags.CompensationLeft | MotionFlags.CompensationRight);
 
-    private (int X, int Y) CellOf(Point2 at) => ((int)Math.Floor(at.X / _cellMm), (int)Math.Floor(at.Y / _cellMm));
+    // An arc reaches beyond its ends, and a point may be anywhere: at the rim a square holds what is outside of it.
+    private (int X, int Y) CellOf(Point2 at) => (
+        (int)Math.Clamp((at.X - _corner.X) / _cellMm, 0, _cells.GetLength(0) - 1),
+        (int)Math.Clamp((at.Y - _corner.Y) / _cellMm, 0, _cells.GetLength(1) - 1));
 }
 
 /// <summary>A line that is cut.</summary>
