@@ -36,7 +36,11 @@ public sealed class LotThroughMatchTests(ITestOutputHelper output)
     public void The_squared_errors_are_near_those_of_a_filter_that_knows(string kind, double most)
     {
         AssertNear(
-            kind, most, lot => Corrections(lot), lot => kind == "noise" ? new double[SimulatedLot.Pieces] : lot.ExpectedByTruth());
+            kind,
+            most,
+            lot => Corrections(lot),
+            lot => kind == "noise" ? new double[SimulatedLot.Pieces] : lot.ExpectedByTruth(),
+            Depth.Of(1, 100));
     }
 
     // While one piece is measured, the next ones are cut with the program that there is.
@@ -64,10 +68,11 @@ public sealed class LotThroughMatchTests(ITestOutputHelper output)
         }
     }
 
-    private void AssertNear(string kind, double most, Func<SimulatedLot, double[]> corrections, Func<SimulatedLot, double[]> truth)
+    private void AssertNear(
+        string kind, double most, Func<SimulatedLot, double[]> corrections, Func<SimulatedLot, double[]> truth, int? lots = null)
     {
         var (cost, known) = (0.0, 0.0);
-        foreach (var lot in SimulatedLot.Many(kind, Lots))
+        foreach (var lot in SimulatedLot.Many(kind, lots ?? Lots))
         {
             cost += lot.Cost(corrections(lot));
             known += lot.Cost(truth(lot));
