@@ -4,7 +4,7 @@ using ErrorMatching.Nc;
 namespace ErrorMatching.Mating;
 
 /// <summary>Whether the ball of a probe has room beside the counterpart: only where the counterpart's own program cleared all of it, from
-/// its lowest point up. What other programs cleared is not known.</summary>
+/// its lowest point up. What other programs cleared is not known, nor how wide other tools cut.</summary>
 public sealed class ClearedRoom
 {
     // Rounding of a program's words.
@@ -19,18 +19,21 @@ public sealed class ClearedRoom
     /// <summary>Looks at what a program clears.</summary>
     /// <param name="job">The job.</param>
     /// <param name="path">The counterpart's program, interpreted.</param>
+    /// <param name="maps">The features mapped onto it.</param>
     /// <param name="stylusDiameterMm">Diameter of the ball, mm.</param>
     /// <param name="touchZ">Height of the ball's center, mm.</param>
-    public ClearedRoom(MatingJob job, NcPath path, double stylusDiameterMm, double touchZ)
+    public ClearedRoom(MatingJob job, NcPath path, IReadOnlyList<FeatureMap> maps, double stylusDiameterMm, double touchZ)
     {
         ArgumentNullException.ThrowIfNull(job);
         ArgumentNullException.ThrowIfNull(path);
+        ArgumentNullException.ThrowIfNull(maps);
         (_toolRadiusMm, _ballRadiusMm, _mapMm) = (job.Counterpart.ToolDiameterMm / 2, stylusDiameterMm / 2, job.Counterpart.MapMm);
         _limitMm = job.Compensation.LimitMm;
-        var bottom = touchZ - _ballRadiusMm + LeastMm;
-        foreach (var motion in path.Motions)
+        var (bottom, own) = (touchZ - _ballRadiusMm + LeastMm, new FeatureCuts(path, maps));
+        for (var i = 0; i < path.Motions.Length; i++)
         {
-            if (motion is { IsCut: true, IsKnownInPlane: true, MovesInPlane: true } && motion.Plane == CoordinatePlane.XY
+            var motion = path.Motions[i];
+            if (own.Hold(i) && motion is { IsCut: true, IsKnownInPlane: true, MovesInPlane: true } && motion.Plane == CoordinatePlane.XY
                 && !motion.Has(
                     MotionFlags.Transformed | MotionFlags.BadArc | MotionFlags.CompensationLeft | MotionFlags.CompensationRight)
                 && ((motion.UnknownStart | motion.UnknownEnd) & AxisSet.Z) == AxisSet.None
@@ -40,7 +43,7 @@ public sealed class ClearedRoom
             }
         }
 
-        _centers.AddRange(CompensatedCenters.Of(path).Where(c => c.HighestMm <= bottom).Select(c => (c.Segment, c.Arc)));
+        _centers.AddRange(CompensatedCenters.Of(path).Where(c => c.HighestMm <= bottom && own.Hold(c.Motion)).Select(c => (c.Segment, c.Arc)));
     }
 
     /// <summary>The distance from the counterpart at which a measuring move can start, mm; null if the ball has no room at the point

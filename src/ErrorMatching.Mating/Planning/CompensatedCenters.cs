@@ -4,11 +4,12 @@ using ErrorMatching.Nc;
 namespace ErrorMatching.Mating;
 
 /// <summary>Where the center of the tool goes in XY under cutter compensation.</summary>
+/// <param name="Motion">Position of the programmed motion in the path.</param>
 /// <param name="Segment">Its way, or the ends of it.</param>
 /// <param name="Arc">Its way if it is an arc.</param>
 /// <param name="LowestMm">Its lowest height, mm.</param>
 /// <param name="HighestMm">Its highest height, mm.</param>
-internal sealed record CompensatedCenters(Segment2 Segment, Arc2? Arc, double LowestMm, double HighestMm)
+internal sealed record CompensatedCenters(int Motion, Segment2 Segment, Arc2? Arc, double LowestMm, double HighestMm)
 {
     /// <summary>The cuts of a program; none where the control would refuse it.</summary>
     /// <param name="path">The program, interpreted.</param>
@@ -26,6 +27,7 @@ internal sealed record CompensatedCenters(Segment2 Segment, Arc2? Arc, double Lo
                 && motion.UnknownEnd == AxisSet.None)
             {
                 yield return new(
+                    motion.Motion,
                     new(start, end),
                     motion.IsArc ? Arc2.Between(start, end, motion.Center, motion.Kind == MotionKind.ArcCounterClockwise) : null,
                     Math.Min(motion.Start.Z, motion.End.Z),

@@ -30,7 +30,7 @@ public sealed class ProbeReach
         ArgumentNullException.ThrowIfNull(maps);
         (_frame, StylusRadiusMm, _limitMm) = (job.Counterpart.Frame, stylusDiameterMm / 2, job.Compensation.LimitMm);
         var toolRadius = job.Counterpart.ToolDiameterMm / 2;
-        var (unplaced, top) = (new List<int>(), DepthMm(path, maps));
+        var (unplaced, top, own) = (new List<int>(), DepthMm(path, maps), new FeatureCuts(path, maps));
         for (var i = 0; i < path.Motions.Length; i++)
         {
             var motion = path.Motions[i];
@@ -44,10 +44,16 @@ public sealed class ProbeReach
 
             var isKnown = isHole ? (motion.UnknownEnd & (AxisSet.X | AxisSet.Y)) == AxisSet.None : motion.IsKnownInPlane;
             if (motion.Kind == MotionKind.Spline || !isKnown || motion.Plane != CoordinatePlane.XY
-                || motion.Has(MotionFlags.Transformed | MotionFlags.BadArc))
+                || motion.Has(MotionFlags.Transformed | MotionFlags.BadArc) || !own.HoldPlaceOf(i))
             {
                 unplaced.Add(motion.Block);
                 continue;
+            }
+
+            // Another tool clears at least something there: it is kept away from, and somebody has to look at the rest.
+            if (!own.Hold(i))
+            {
+                unplaced.Add(motion.Block);
             }
 
             var isBoundary = motion.Has(MotionFlags.CompensationLeft | MotionFlags.CompensationRight);
@@ -57,7 +63,7 @@ public sealed class ProbeReach
         }
 
         // Under cutter compensation the path is one side of what is cleared; the tool's center is the middle of it.
-        _cuts.AddRange(CompensatedCenters.Of(path).Where(c => !IsAbove(c.LowestMm))
+        _cuts.AddRange(CompensatedCenters.Of(path).Where(c => !IsAbove(c.LowestMm) && own.HoldPlaceOf(c.Motion))
             .Select(c => new Cut(c.Segment, c.Arc, toolRadius, c.LowestMm)));
 
         // What is faced over the boundary itself, above all features, says nothing about it.
@@ -72,8 +78,8 @@ public sealed class ProbeReach
         bool IsAbove(double lowest) => top < -LeastMm && lowest >= -LeastMm;
     }
 
-    /// <summary>Blocks that clear something in the part's height of which it is not known where: the ball may meet what stands
-    /// there.</summary>
+    /// <summary>Blocks that clear something in the part's height of which it is not known where or how wide, because of another tool: the
+    /// ball may meet what stands there.</summary>
     public IReadOnlyList<int> Unplaced { get; }
 
     /// <summary>The height down to which all features are cut, mm: that of the shallowest one. Minus infinity for those of which the

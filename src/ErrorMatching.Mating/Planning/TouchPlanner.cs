@@ -185,14 +185,14 @@ public static class TouchPlanner
             return cannot;
         }
 
-        var (room, frame) = (new ClearedRoom(job, path, stylusDiameterMm, touchZ), job.Counterpart.Frame);
+        var (room, frame) = (new ClearedRoom(job, path, maps, stylusDiameterMm, touchZ), job.Counterpart.Frame);
         return OfMaps(
             maps,
             theoretical,
             stylusDiameterMm,
             (place, normal) => (
                 frame.Apply(place), frame.Apply(normal), room.ApproachMm(frame.Apply(place), frame.Apply(normal), approachMm)),
-            "the job's program does not clear that much beside it, so deep");
+            "the job's program does not clear that much beside it, so deep, with the tool that cuts the features");
     }
 
     private static Outcome<TouchPlan> OfMaps(

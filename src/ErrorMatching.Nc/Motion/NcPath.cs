@@ -128,17 +128,27 @@ public sealed class NcPath
     /// <summary>Words that concern cutter compensation, in execution order.</summary>
     internal IReadOnlyList<CompensationSwitch> CompensationSwitches { get; init; } = [];
 
+    /// <summary>Number of tool changes (M6) before a motion: motions with the same number are made with one tool.</summary>
+    /// <param name="motion">Position of the motion.</param>
+    public int ToolChangesBefore(int motion) => ToolChangesBelow(motion + 1);
+
     /// <summary>True if the tool was changed at one of the joints.</summary>
     internal bool ChangesTool(int firstJoint, int lastJoint)
+    {
+        var first = ToolChangesBelow(firstJoint);
+        return first < ToolChanges.Count && ToolChanges[first] <= lastJoint;
+    }
+
+    private int ToolChangesBelow(int joint)
     {
         var (low, high) = (0, ToolChanges.Count);
         while (low < high)
         {
             var middle = (low + high) / 2;
-            (low, high) = ToolChanges[middle] < firstJoint ? (middle + 1, high) : (low, middle);
+            (low, high) = ToolChanges[middle] < joint ? (middle + 1, high) : (low, middle);
         }
 
-        return low < ToolChanges.Count && ToolChanges[low] <= lastJoint;
+        return low;
     }
 
     /// <summary>All motions of a block, in execution order: several if it runs several times or is a canned cycle.</summary>

@@ -171,10 +171,8 @@ public sealed partial class ProbedJobTests
         wish = wish with { Template = "fanuc-p98xx" };
         refusal = ProbedJob.Of(folder["job.json"], wish, TestContext.Current.CancellationToken).Refusal!;
         Assert.Equal("other-work-offset", refusal.Code);
-        File.WriteAllText(
-            folder["own.txt"],
-            "@body\nG17 G21 G90 G94 G55\n@each point\nG0 X{approach.x}\nG31 X{overtravel.x} F{feed.measuring}\n@next\nM30\n");
-        Assert.Equal(28, Probed(folder, wish with { ToolNumber = null, Template = folder["own.txt"] }).Points.Count);
+        wish = wish with { ToolNumber = null, Template = OwnTemplate(folder, "G55") };
+        Assert.Equal(28, Probed(folder, wish).Points.Count);
         Assert.Equal(28, Probed(folder, Stated).Points.Count);
     }
 
@@ -189,10 +187,7 @@ public sealed partial class ProbedJobTests
     public void Where_something_else_is_cleared_nothing_is_touched_unless_the_key_points_are_faced_with_it(string cleared, bool isRefused)
     {
         using var folder = Copied();
-        File.WriteAllText(
-            folder["counterpart.nc"],
-            File.ReadAllText(folder["counterpart.nc"]).Replace(
-                "N50 G0 X-92. Y-10.", cleared + "N50 G0 X-92. Y-10.", StringComparison.Ordinal));
+        Clear(folder, cleared);
         var outcome = ProbedJob.Of(folder["job.json"], Stated, TestContext.Current.CancellationToken);
         Assert.Equal(isRefused, !outcome.IsUsable);
         Assert.All(outcome.Refusals, r => Assert.Equal(("out-of-reach", "L1"), (r.Code, r.Place.Feature)));
@@ -221,18 +216,35 @@ public sealed partial class ProbedJobTests
             folder["job.json"], wish with { TouchZ = null }, TestContext.Current.CancellationToken).Refusal!.Code);
     }
 
-    // Where an arc of another plane clears something, nobody looked.
-    [Fact]
-    public void What_is_cleared_at_a_place_that_is_not_known_stops_the_program_with_its_block()
+    // Where an arc of another plane clears something, nobody looked; nor how wide another tool cuts, nor where another piece lies.
+    [Theory]
+    [InlineData("N41 G0 X-85. Y-60.\nN42 G1 Z-3. F250.\nN43 G18 G3 X-75. I5. K0.\nN44 G17 G0 Z25.\n", "N43")]
+    [InlineData("N41 T7 M6\nN42 G0 X-85. Y-60.\nN43 G1 Z-3. F250.\nN44 X-75.\nN45 G0 Z25.\nN46 T4 M6\n", "N43 N44")]
+    [InlineData("N41 G55\nN42 G0 X-85. Y-60.\nN43 G1 Z-3. F250.\nN44 X-75.\nN45 G0 Z25.\nN46 G54\n", "N43 N44")]
+    [InlineData("N42 G0 X-85. Y-60.\nN43 G1 Z-3. F250.\nN44 X-75.\nN45 G0 Z25.\n", null)]
+    public void What_is_cleared_at_a_place_or_a_width_that_is_not_known_stops_the_program_with_its_blocks(string cleared, string? named)
     {
         using var folder = Copied();
-        File.WriteAllText(
-            folder["counterpart.nc"],
-            File.ReadAllText(folder["counterpart.nc"]).Replace(
-                "N50 G0 X-92. Y-10.",
-                "N41 G0 X-85. Y-60.\nN42 G1 Z-3. F250.\nN43 G18 G3 X-75. I5. K0.\nN44 G17 G0 Z25.\nN50 G0 X-92. Y-10.",
-                StringComparison.Ordinal));
-        Assert.Equal(["what is cleared by N43"], Probed(folder, Stated).Program.Moves.Assumed);
+        Clear(folder, cleared);
+        Assert.Equal(named is null ? [] : [$"what is cleared by {named}"], Probed(folder, Stated).Program.Moves.Assumed);
+    }
+
+    // The ball goes down beside the counterpart only where the features' own tool cleared the room, in their work offset. Beside the left
+    // shoulder another tool may have cut narrow grooves, and what is cut in another work offset is another piece.
+    [Theory]
+    [InlineData("", "", true)]
+    [InlineData("T7 M6", "T4 M6", false)]
+    [InlineData("G55", "G54", false)]
+    public void Room_beside_the_counterpart_is_what_the_features_own_tool_cleared(string before, string after, bool hasRoom)
+    {
+        using var folder = Copied();
+        var wide = Stated with { OfCounterpart = true, ApproachMm = 14, ToolNumber = null, Template = OwnTemplate(folder) };
+        var near = AtShoulder();
+        Clear(folder, $"{before}\nG0 X-95. Y-21.\nG1 Z-10. F250.\nX-65.\nY-16.\nX-95.\nY-11.\nX-65.\nG0 Z25.\n{after}\n");
+        var far = AtShoulder();
+        Assert.True(hasRoom ? far > near + 5 : far == near, $"{near} without, {far} with it");
+
+        double AtShoulder() => Probed(folder, wide).Points.Single(p => p.Label == "1").ApproachMm;
     }
 
     // A slot of the part, 8 mm wide: a ball of 6 mm has 2 mm to go. 2 mm from one wall it would go down on the other.
@@ -319,13 +331,11 @@ public sealed partial class ProbedJobTests
     public void A_template_of_the_shop_that_keeps_silent_about_assumptions_is_refused()
     {
         using var folder = Copied();
-        File.WriteAllText(
-            folder["own.txt"],
-            "@body\nG17 G21 G90 G94 G54\n@each point\nG0 X{approach.x}\nG31 X{overtravel.x} F{feed.measuring}\n@next\nM30\n");
-        var error = Assert.Throws<InputException>(() => Probed(folder, new() { Template = folder["own.txt"] }));
+        var own = OwnTemplate(folder);
+        var error = Assert.Throws<InputException>(() => Probed(folder, new() { Template = own }));
         Assert.Equal("bad-template", error.Code);
         Assert.Contains("touch at Z -5", error.Message, StringComparison.Ordinal);
-        Assert.Equal(28, Probed(folder, Stated with { ToolNumber = null, Template = folder["own.txt"] }).Points.Count);
+        Assert.Equal(28, Probed(folder, Stated with { ToolNumber = null, Template = own }).Points.Count);
     }
 
     // The features are cut to Z-10. Deeper than that nobody knows what is there.
@@ -343,6 +353,19 @@ public sealed partial class ProbedJobTests
                 "N50 G0 X-92. Y-10.", "N41 G0 X-85. Y-60.\nN42 G1 Z-30. F250.\nN43 X-70.\nN44 G0 Z25.\nN50 G0 X-92. Y-10.",
                 StringComparison.Ordinal));
         Assert.Equal(-5, Probed(folder, Stated with { TouchZ = null }).TouchZ);
+    }
+
+    // Something that is cleared before the features.
+    private static void Clear(TemporaryFolder folder, string blocks) => File.WriteAllText(
+        folder["counterpart.nc"],
+        File.ReadAllText(folder["counterpart.nc"]).Replace("N50 G0 X-92. Y-10.", blocks + "N50 G0 X-92. Y-10.", StringComparison.Ordinal));
+
+    private static string OwnTemplate(TemporaryFolder folder, string offset = "G54")
+    {
+        File.WriteAllText(
+            folder["own.txt"],
+            $"@body\nG17 G21 G90 G94 {offset}\n@each point\nG0 X{{approach.x}}\nG31 X{{overtravel.x}} F{{feed.measuring}}\n@next\nM30\n");
+        return folder["own.txt"];
     }
 
     private static NcPath Path(ProbedJob probed) => NcInterpreter.Run(
