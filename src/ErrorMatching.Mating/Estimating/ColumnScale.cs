@@ -1,7 +1,7 @@
 namespace ErrorMatching.Mating;
 
-/// <summary>The scale of what is not known about errors, where only the points themselves tell it: it is not known better than they tell it,
-/// so the errors follow Student's distribution.</summary>
+/// <summary>The scale of what is not known about errors, where only the points themselves tell it: it is not known better than they tell
+/// it, so the errors follow Student's distribution.</summary>
 /// <param name="Freedom">Number of independent values that tell it, 1 or more.</param>
 /// <param name="Of">The factor of a column, by its number, where the true standard deviation is so many times the one that they
 /// show.</param>

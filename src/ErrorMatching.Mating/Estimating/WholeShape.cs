@@ -132,8 +132,8 @@ internal sealed record WholeShape
 
     /// <summary>The value that the largest error at <see cref="Places"/> exceeds with a given risk.</summary>
     /// <remarks>What the points scatter is known no better than their number allows. Where the job states no form error, one is what the
-    /// scatter has beyond the stated uncertainty in each draw: with a single estimate of it, the true error of circles whose form is about as
-    /// large as the uncertainty was beyond the bound in one of five.</remarks>
+    /// scatter has beyond the stated uncertainty in each draw: with a single estimate of it, the true error of circles whose form is about
+    /// as large as the uncertainty was beyond the bound in one of five.</remarks>
     /// <param name="expectedMm">The expected errors there.</param>
     /// <param name="statedMm">Standard deviation of the form error as the job states it; null if the points are to tell it.</param>
     /// <param name="risk">The risk, above 0 and below 1.</param>

@@ -43,7 +43,8 @@ public sealed class ClearedRoom
             }
         }
 
-        _centers.AddRange(CompensatedCenters.Of(path).Where(c => c.HighestMm <= bottom && own.Hold(c.Motion)).Select(c => (c.Segment, c.Arc)));
+        _centers.AddRange(
+            CompensatedCenters.Of(path).Where(c => c.HighestMm <= bottom && own.Hold(c.Motion)).Select(c => (c.Segment, c.Arc)));
     }
 
     /// <summary>The distance from the counterpart at which a measuring move can start, mm; null if the ball has no room at the point

@@ -28,8 +28,8 @@ internal sealed class FeatureCuts
     /// <summary>True for a motion in their work offset, with any tool.</summary>
     public bool HoldPlaceOf(int motion) => _frames.Contains(Placed(_path.Frames[_path.Motions[motion].Frame]));
 
-    // Where a frame lies, wherever it is switched on. Motions are in work coordinates: what transforms programmed ones is in them. What only
-    // the machine knows of the rotation stays as it is.
+    // Where a frame lies, wherever it is switched on. Motions are in work coordinates: what transforms programmed ones is in them. What
+    // only the machine knows of the rotation stays as it is.
     private static NcFrame Placed(NcFrame frame) => frame with
     {
         Block = 0,

@@ -12,7 +12,7 @@ public sealed class FtpFaultTests : IDisposable
 
     // Bytes are alike but for the first and last ones, and those about half a program.
     private static readonly IEnumerable<int> Places = Enumerable.Range(0, SentProgram.Bytes + 1)
-        .Where(n => n % Depth.Of(32, 1) == 0 || n < 8 || n > SentProgram.Bytes - 8 || Math.Abs(n - (SentProgram.Bytes / 2)) < 4);
+        .Where(n => n % Depth.Of(128, 1) == 0 || n < 3 || n > SentProgram.Bytes - 3 || Math.Abs(n - (SentProgram.Bytes / 2)) < 2);
 
     private readonly Lazy<FtpPeer> _peer = new(() => new FtpPeer(FtpTls.None));
 
