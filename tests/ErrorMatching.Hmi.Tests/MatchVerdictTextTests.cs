@@ -182,8 +182,11 @@ public sealed class MatchVerdictTextTests
     [InlineData(-0.02, 0.1, false, 1, 2)]
     [InlineData(-0.2, 0, false, 2, 2)]
     [InlineData(0, 0.4, false, 1)]
+    [InlineData(0.02, 0.75, true, 2, 1, 2)]
+    [InlineData(-0.02, 0.1, false, 1, 0, 1)]
+    [InlineData(-0.2, 0, false, 2, 0, 1)]
     public Task Whether_the_pair_goes_together_is_said_as_in_the_report(
-        double tightest, double probability, bool assembles, int places, int corners = 0) =>
+        double tightest, double probability, bool assembles, int places, int corners = 0, int forms = 0) =>
         InAsync(Language.English, () =>
         {
             var pair = new PairAssembly
@@ -195,6 +198,7 @@ public sealed class MatchVerdictTextTests
                 Contacts = [.. Enumerable.Range(0, places).Select(i => new PairContact(new(i, 0), "B1", $"N{120 + i}"))],
                 RoundCorners = [
                     .. Enumerable.Range(0, corners).Select(i => new PairCorner($"N{200 + i}", $"N{210 + i}", 0.04 + (i / 1e3)))],
+                UnknownForms = [.. Enumerable.Range(1, forms).Select(i => $"B{i}")],
             };
             ToleranceBand[] limits = [new(-0.05, 0.05)];
             var english = PairText.Of(pair, limits);

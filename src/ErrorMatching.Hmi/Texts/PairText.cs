@@ -14,15 +14,17 @@ internal static class PairText
     {
         ArgumentNullException.ThrowIfNull(pair);
         var sentence = Together(pair, limits);
-        return pair.RoundCorners.Count == 0 || !(pair.Assembles || pair.IsWithin(limits)) ? sentence
-            : Sentence.Joined(
-                sentence,
-                Texts.Current.Counted(
-                    "Pair.RoundCorners",
-                    pair.RoundCorners.Count,
-                    VerdictParts.Names([.. pair.RoundCorners.Select(c => $"{c.Before}/{c.After}")]),
-                    Shown.MmAsKnown(pair.RoundCorners.Max(c => c.OverlapMm), null)));
+        return pair.Assembles || pair.IsWithin(limits) ? Sentence.Joined(sentence, RoundCorners(pair), UnknownForms(pair)) : sentence;
     }
+
+    private static string RoundCorners(PairAssembly pair) => pair.RoundCorners.Count == 0 ? "" : Texts.Current.Counted(
+        "Pair.RoundCorners",
+        pair.RoundCorners.Count,
+        VerdictParts.Names([.. pair.RoundCorners.Select(c => $"{c.Before}/{c.After}")]),
+        Shown.MmAsKnown(pair.RoundCorners.Max(c => c.OverlapMm), null));
+
+    private static string UnknownForms(PairAssembly pair) =>
+        pair.DependsOnForms ? Texts.Current.With("Pair.UnknownForms", VerdictParts.Names(pair.UnknownForms)) : "";
 
     /// <summary>The same for the head of a view, which has no room for what needs no decision: empty for a part that can be lifted off
     /// whatever its corners are.</summary>

@@ -23,7 +23,7 @@ internal static class LargestError
         for (var draw = 0; draw < Draws; draw++)
         {
             Array.Clear(off);
-            var ratio = scale is null ? 1 : Student(scale.Freedom);
+            var ratio = scale?.Draw(variates) ?? 1;
             for (var c = 0; c < unknown.Count; c++)
             {
                 var (column, by) = (unknown[c], (scale?.Of(c, ratio) ?? 1) * variates.Next());
@@ -42,18 +42,5 @@ internal static class LargestError
 
         Array.Sort(largest);
         return largest[(int)Math.Ceiling((1 - risk) * largest.Length) - 1];
-
-        // A standard deviation over the one that so many free values show.
-        double Student(int values)
-        {
-            var squares = 0.0;
-            for (var k = 0; k < values; k++)
-            {
-                var variate = variates.Next();
-                squares += variate * variate;
-            }
-
-            return Math.Sqrt(values / squares);
-        }
     }
 }

@@ -58,10 +58,16 @@ internal sealed class PieceEstimate
         return new([.. _maps.Select((map, f) => Predict(map, f, cuts, toPart))]);
     }
 
+    /// <summary>Names of the features of whose form between the key points nothing is known.</summary>
+    public IReadOnlyList<string> UnknownForms() => [
+        .. _maps.Where((map, f) => RunOf(map, f) is var run && (_elements[map.Passes[0]].Count == 0
+            ? !WholeShape.Around(run, _path, map.Passes[0]).Knows(map.Feature.FormMm)
+            : !_elements[map.Passes[0]].TrueForAll(e => IsKnown(e, run)))).Select(m => m.Feature.Name)];
+
     private FeaturePrediction Predict(FeatureMap map, int feature, Func<RunEstimate, RunPath> cuts, RigidTransform2 toPart)
     {
         var (pass, points) = (map.Passes[0], new PredictedError[map.Feature.Points.Count]);
-        var run = Runs.First(r => r.Run.Contains(pass) && r.Points.Any(p => p.Feature == feature));
+        var run = RunOf(map, feature);
         var (cutsBefore, cutsAfter) = (run.OnCuts(_path), cuts(run));
         for (var p = 0; p < run.Points.Count; p++)
         {
@@ -83,11 +89,10 @@ internal sealed class PieceEstimate
         var worst = _elements[pass].Count == 0
             ? WholeShape.Around(run, _path, pass).WorstOn(cutsBefore, cutsAfter, map.Feature.FormMm, limits, Risk)
             : PredictedError.Worst(
-                _elements[pass].Where(e => !IsKnown(e)).Select(e => run.WidestGap(e, cutsAfter))
-                    .Append(run.WorstAlong(_elements[pass].FindAll(IsKnown), cutsAfter, limits, Risk)).OfType<PredictedError>(),
+                _elements[pass].Where(e => !IsKnown(e, run)).Select(e => run.WidestGap(e, cutsAfter))
+                    .Append(run.WorstAlong(_elements[pass].FindAll(e => IsKnown(e, run)), cutsAfter, limits, Risk))
+                    .OfType<PredictedError>(),
                 limits);
-
-        bool IsKnown(BoundaryElement element) => TellsForm(element) && run.IsCompared(element);
 
         return new(
             points,
@@ -98,6 +103,11 @@ internal sealed class PieceEstimate
                 _elements[pass].MinBy(e => Math.Max(0, Math.Max(e.FromMm - along, along - e.ToMm)))!, along),
         };
     }
+
+    private RunEstimate RunOf(FeatureMap map, int feature) =>
+        Runs.First(r => r.Run.Contains(map.Passes[0]) && r.Points.Any(p => p.Feature == feature));
+
+    private bool IsKnown(BoundaryElement element, RunEstimate run) => TellsForm(element) && run.IsCompared(element);
 
     // With as many points as its shape needs, an element does not tell its form. Another one of the job may tell how large such errors are.
     private bool TellsForm(BoundaryElement element) =>

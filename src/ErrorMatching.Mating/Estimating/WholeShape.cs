@@ -110,8 +110,7 @@ internal sealed record WholeShape
     /// <returns>The error; if the points do not tell a form error, that at the place furthest from all points, not known.</returns>
     public PredictedError WorstOn(RunPath before, RunPath after, double? statedMm, ToleranceBand? limits, double risk)
     {
-        var isKnown = statedMm is not null || TellsForm;
-        if (!isKnown)
+        if (!Knows(statedMm))
         {
             return Error(Places.MaxBy(p => _points.Min(q => q.DistanceTo(p.Place)))) with
             {
@@ -129,6 +128,10 @@ internal sealed record WholeShape
             return new(at.Place, at.Normal, ErrorOn(before, at), ErrorOn(after, at), Math.Sqrt(shape + (form * form)));
         }
     }
+
+    /// <summary>True if something is known of the form error.</summary>
+    /// <param name="statedMm">Standard deviation of the form error as the job states it; null if the points are to tell it.</param>
+    public bool Knows(double? statedMm) => statedMm is not null || TellsForm;
 
     /// <summary>The value that the largest error at <see cref="Places"/> exceeds with a given risk.</summary>
     /// <remarks>What the points scatter is known no better than their number allows. Where the job states no form error, one is what the

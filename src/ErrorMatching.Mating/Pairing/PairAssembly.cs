@@ -28,11 +28,18 @@ public sealed record PairAssembly
     /// that has.</summary>
     public IReadOnlyList<PairCorner> RoundCorners { get; init; } = [];
 
+    /// <summary>Names of the features of whose form between the key points nothing is known: the rest is of a perfect form.</summary>
+    public IReadOnlyList<string> UnknownForms { get; init; } = [];
+
     /// <summary>How far the part can move; null if the expected boundaries do not go together.</summary>
     public PairPlay? Play { get; init; }
 
     /// <summary>The expected gaps along the boundary at the seat, in the order of its elements.</summary>
     public IReadOnlyList<PairGap> Gaps { get; init; } = [];
+
+    /// <summary>True if whether it goes together depends on forms of which nothing is known. A part that can be lifted off goes
+    /// together whatever they are.</summary>
+    public bool DependsOnForms => UnknownForms.Count > 0 && TightestMm is not null;
 
     /// <summary>True if the part goes together with the counterpart, or overlaps it by no more than the limits of a mating error may
     /// allow. A pair without a wanted gap that is exactly right is one of these in half of all cases.</summary>
@@ -50,6 +57,7 @@ public sealed record PairAssembly
         WriteRange(w, "interval95Mm", Interval95Mm, null);
         w.List("contacts", Contacts, c => c.Write(w));
         w.List("roundCorners", RoundCorners, c => c.Write(w));
+        w.Texts("unknownForms", UnknownForms);
         w.Optional("play", Play, p =>
         {
             WriteRange(w, "xMm", p.XMm, PairPlay.Free);
@@ -68,6 +76,7 @@ public sealed record PairAssembly
         Interval95Mm = Range(r.OptionalNumbers("interval95Mm", 2)),
         Contacts = r.List("contacts", PairContact.Read),
         RoundCorners = r.OptionalList("roundCorners", PairCorner.Read),
+        UnknownForms = r.OptionalTexts("unknownForms"),
         Play = r.OptionalObject("play") is { } play
             ? new(
                 Range(play.NumbersOrWord("xMm", 2, PairPlay.Free)),

@@ -49,7 +49,7 @@ internal sealed class PairEstimator
             pair.AddWhole(run, cuts(run));
         }
 
-        return pair.Assembled();
+        return pair.Assembled() is { } assembled ? assembled with { UnknownForms = piece.UnknownForms() } : null;
     }
 
     private PairAssembly? Assembled()

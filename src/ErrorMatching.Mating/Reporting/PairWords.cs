@@ -14,8 +14,13 @@ public static class PairWords
     {
         ArgumentNullException.ThrowIfNull(pair);
         var goesTogether = pair.Assembles || (limits is not null && pair.IsWithin(limits));
-        return Together(pair, limits) + (goesTogether && pair.RoundCorners.Count > 0 ? $" {RoundCorners(pair.RoundCorners)}" : "");
+        return Together(pair, limits)
+            + (goesTogether && pair.RoundCorners.Count > 0 ? $" {RoundCorners(pair.RoundCorners)}" : "")
+            + (goesTogether && pair.DependsOnForms ? $" {UnknownForms(pair.UnknownForms)}" : "");
     }
+
+    private static string UnknownForms(IReadOnlyList<string> features) =>
+        $"It does so only if the form of {ReportNames.Of(features)} between the points is good enough: nothing is known of it.";
 
     private static string RoundCorners(IReadOnlyList<PairCorner> corners) =>
         $"It does so only if the part is rounded in the {(corners.Count == 1 ? "corner" : "corners")} of "

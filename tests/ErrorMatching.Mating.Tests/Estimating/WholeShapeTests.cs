@@ -29,27 +29,32 @@ public sealed class WholeShapeTests
         {
             double[] waves = [.. Enumerable.Range(0, 6).Select(_ => formByU * U / Math.Sqrt(3) * random.Next())];
             double[] shape = [.. Enumerable.Range(0, 3).Select(_ => 0.02 * random.Next())];
-            var first = Math.PI * random.Next();
-            var estimate = WholeShape.Of(
-                [
-                    .. Enumerable.Range(0, points).Select(k => first + (2 * Math.PI * k / points))
-                        .Select(t => (At(t).Place, At(t).Normal, True(t) + (U * random.Next())))],
-                [],
-                U) with
-            {
-                Places = [.. Enumerable.Range(0, Around).Select(k => At(2 * Math.PI * k / Around))],
-            };
+            var estimate = Estimate(points, Math.PI * random.Next(), t => True(t) + (U * random.Next()));
             var largest = Enumerable.Range(0, Around)
-                .Max(k => Math.Abs(
-                    True(2 * Math.PI * k / Around) - estimate.DeviationAt(estimate.Places[k].Place, estimate.Places[k].Normal)));
+                .Max(k => Math.Abs(True(Angle(k)) - estimate.DeviationAt(estimate.Places[k].Place, estimate.Places[k].Normal)));
             held += largest <= estimate.BoundMm(new double[Around], null, 0.05) ? 1 : 0;
 
-            double True(double t) => shape[0] + (shape[1] * Math.Cos(t)) + (shape[2] * Math.Sin(t))
-                + Enumerable.Range(2, 3).Sum(n => (waves[(2 * n) - 4] * Math.Cos(n * t)) + (waves[(2 * n) - 3] * Math.Sin(n * t)));
+            double True(double t) => shape[0] + (shape[1] * Math.Cos(t)) + (shape[2] * Math.Sin(t)) + Wave(waves, t);
         }
 
         Assert.InRange(held, (0.93 * Circles) - (2 * Math.Sqrt(0.93 * 0.07 * Circles)), Circles);
     }
+
+    private static WholeShape Estimate(int points, double first, Func<double, double> measured) => WholeShape.Of(
+        [
+            .. Enumerable.Range(0, points).Select(k => first + (2 * Math.PI * k / points))
+                .Select(t => (At(t).Place, At(t).Normal, measured(t)))],
+        [],
+        U) with
+    {
+        Places = [.. Enumerable.Range(0, Around).Select(k => At(Angle(k)))],
+    };
+
+    // Two, three and four lobes.
+    private static double Wave(double[] waves, double t) =>
+        Enumerable.Range(2, 3).Sum(n => (waves[(2 * n) - 4] * Math.Cos(n * t)) + (waves[(2 * n) - 3] * Math.Sin(n * t)));
+
+    private static double Angle(int place) => 2 * Math.PI * place / Around;
 
     private static (Point2 Place, Vector2 Normal) At(double t) => (new(12 * Math.Cos(t), 12 * Math.Sin(t)), new(Math.Cos(t), Math.Sin(t)));
 }

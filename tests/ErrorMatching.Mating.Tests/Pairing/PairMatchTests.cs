@@ -247,7 +247,13 @@ public sealed class PairMatchTests
         }.Match();
     }
 
-    private static MatchCase Circle(string program, double growth, Vector2 aside, Func<Point2, Point2>? toPart = null, string form = "")
+    private static MatchCase Circle(
+        string program,
+        double growth,
+        Vector2 aside,
+        Func<Point2, Point2>? toPart = null,
+        string form = "",
+        string points = """["1", "2", "3", "4", "5", "6", "7", "8"]""")
     {
         toPart ??= p => p;
         var rays = Enumerable.Range(0, 8).Select(i => Vector2.FromDirection(Angle.FromDegrees(45 * i))).ToArray();
@@ -256,9 +262,25 @@ public sealed class PairMatchTests
         {
             Theoretical = Label([.. rays.Select(r => toPart(center + (r * 20)))]),
             Part = Label([.. rays.Select(r => toPart(center + (r * (20 + growth + r.Dot(aside)))))]),
-            Features = [MatchCase.Feature(
-                "circle", "B1", "N50..N60", """["1", "2", "3", "4", "5", "6", "7", "8"]""", Wide + form)],
+            Features = [MatchCase.Feature("circle", "B1", "N50..N60", points, Wide + form)],
         };
+    }
+
+    // Four points do not tell whether a boss is round, and two points not whether a side is straight: the percentage is of a perfect form.
+    [Theory]
+    [InlineData("""["1", "3", "5", "7"]""", "", true)]
+    [InlineData("""["1", "3", "5", "7"]""", ", \"formMm\": 0.005", false)]
+    [InlineData("""["1", "2", "3", "4", "5", "6", "7", "8"]""", "", false)]
+    public void What_nothing_is_known_of_is_a_condition(string points, string form, bool isCondition)
+    {
+        const string Condition = "It does so only if the form of B1 between the points is good enough: nothing is known of it.";
+        var report = Circle(Boss, 0.03, new(0, 0), form: form, points: points).Report();
+        Assert.Equal(isCondition ? ["B1"] : [], report.Pair!.UnknownForms);
+        Assert.Equal(isCondition, PairWords.Of(report.Pair).EndsWith(Condition, StringComparison.Ordinal));
+
+        // It is no condition of an overlap, nor of a part that can be lifted off.
+        Assert.DoesNotContain(Condition, PairWords.Of(report.Pair with { Assembles = false }), StringComparison.Ordinal);
+        Assert.DoesNotContain(Condition, PairWords.Of(report.Pair with { TightestMm = null }), StringComparison.Ordinal);
     }
 
     private static Point2 At(double x, double degrees) => new Point2(x, 0) + (Vector2.FromDirection(Angle.FromDegrees(degrees)) * 10);
