@@ -134,12 +134,18 @@ internal sealed class CutPath
     /// <param name="withinMm">How far it is looked for.</param>
     public CutFoot? FootOf(Point2 point, double withinMm)
     {
+        if (IsEmpty)
+        {
+            return null;
+        }
+
         CutFoot? best = null;
         var (x, y) = CellOf(point);
 
-        // What lies in a square so many rings away is at least this far, less one square: also at the rim, where squares hold more.
+        // What lies in a square so many rings away is at least this far, less one square: also at the rim, where squares hold more. A cut
+        // is in the squares of places half a square apart, so that a bit of it may be a quarter nearer.
         var rings = Math.Max(_cells.GetLength(0), _cells.GetLength(1));
-        for (var ring = 0; ring < rings && (ring - 1) * _cellMm <= Math.Min(withinMm, best?.DistanceMm ?? withinMm); ring++)
+        for (var ring = 0; ring < rings && (ring - 1.25) * _cellMm <= Math.Min(withinMm, best?.DistanceMm ?? withinMm); ring++)
         {
             for (var i = Math.Max(x - ring, 0); i <= Math.Min(x + ring, _cells.GetLength(0) - 1); i++)
             {

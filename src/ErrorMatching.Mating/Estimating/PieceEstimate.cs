@@ -58,11 +58,11 @@ internal sealed class PieceEstimate
         return new([.. _maps.Select((map, f) => Predict(map, f, cuts, toPart))]);
     }
 
-    /// <summary>Names of the features of whose form between the key points nothing is known.</summary>
+    /// <summary>Names of the features of whose form between the key points nothing is known. What a neighbor takes away has none.</summary>
     public IReadOnlyList<string> UnknownForms() => [
         .. _maps.Where((map, f) => RunOf(map, f) is var run && (_elements[map.Passes[0]].Count == 0
             ? !WholeShape.Around(run, _path, map.Passes[0]).Knows(map.Feature.FormMm)
-            : !_elements[map.Passes[0]].TrueForAll(e => IsKnown(e, run)))).Select(m => m.Feature.Name)];
+            : !_elements[map.Passes[0]].TrueForAll(e => TellsForm(e) || !run.IsCompared(e)))).Select(m => m.Feature.Name)];
 
     private FeaturePrediction Predict(FeatureMap map, int feature, Func<RunEstimate, RunPath> cuts, RigidTransform2 toPart)
     {

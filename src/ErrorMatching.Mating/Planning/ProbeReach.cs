@@ -37,7 +37,8 @@ public sealed class ProbeReach
 
             // The motion of a drilling cycle is the one over its hole.
             var isHole = motion.Kind == MotionKind.Cycle || motion.Has(MotionFlags.Cycle) || motion is { IsCut: true, MovesInPlane: false };
-            if (!(motion.IsCut || isHole || motion.Kind == MotionKind.Spline) || IsAbove(Lowest(motion)))
+            if (!(motion.IsCut || isHole || motion.Kind == MotionKind.Spline)
+                || (own.HoldPlaceOf(i) && IsAbove(Lowest(motion))))
             {
                 continue;
             }

@@ -192,7 +192,7 @@ public static class TouchPlanner
             stylusDiameterMm,
             (place, normal) => (
                 frame.Apply(place), frame.Apply(normal), room.ApproachMm(frame.Apply(place), frame.Apply(normal), approachMm)),
-            "the job's program does not clear that much beside it, so deep, with the tool that cuts the features");
+            "the job's program does not clear that much beside it, so deep, between the tool changes of the features");
     }
 
     private static Outcome<TouchPlan> OfMaps(

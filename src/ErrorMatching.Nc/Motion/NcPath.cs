@@ -128,7 +128,8 @@ public sealed class NcPath
     /// <summary>Words that concern cutter compensation, in execution order.</summary>
     internal IReadOnlyList<CompensationSwitch> CompensationSwitches { get; init; } = [];
 
-    /// <summary>Number of tool changes (M6) before a motion: motions with the same number are made with one tool.</summary>
+    /// <summary>Number of tool changes (M6, TOOL CALL) before a motion: motions with the same number are made with one tool, unless a T
+    /// word alone or a macro changes it.</summary>
     /// <param name="motion">Position of the motion.</param>
     public int ToolChangesBefore(int motion) => ToolChangesBelow(motion + 1);
 
