@@ -221,6 +221,7 @@ public sealed partial class ProbedJobTests
     [InlineData("N41 G0 X-85. Y-60.\nN42 G1 Z-3. F250.\nN43 G18 G3 X-75. I5. K0.\nN44 G17 G0 Z25.\n", "N43")]
     [InlineData("N41 T7 M6\nN42 G0 X-85. Y-60.\nN43 G1 Z-3. F250.\nN44 X-75.\nN45 G0 Z25.\nN46 T4 M6\n", "N43 N44")]
     [InlineData("N41 G55\nN42 G0 X-85. Y-60.\nN43 G1 Z-3. F250.\nN44 X-75.\nN45 G0 Z25.\nN46 G54\n", "N43 N44")]
+    [InlineData("N41 G55\nN42 G0 X-85. Y-60.\nN43 G1 Z0.5 F250.\nN44 X-75.\nN45 G0 Z25.\nN46 G54\n", "N43 N44")]
     [InlineData("N42 G0 X-85. Y-60.\nN43 G1 Z-3. F250.\nN44 X-75.\nN45 G0 Z25.\n", null)]
     public void What_is_cleared_at_a_place_or_a_width_that_is_not_known_stops_the_program_with_its_blocks(string cleared, string? named)
     {
