@@ -16,7 +16,8 @@ public sealed class CutPathTests
         for (var k = 0; k < 60; k++)
         {
             var (x, y, r) = (Between(0, 60), Between(0, 40), random.Next(2) == 0 ? 0.3 : Between(1, 12));
-            text.Append(FormattableString.Invariant($"G1 X{x:0.000} Y{y:0.000}\nG{random.Next(2, 4)} Y{y + (2 * r):0.000} I0 J{r:0.000}\n"));
+            text.Append(FormattableString.Invariant($"G1 X{x:0.000} Y{y:0.000}\n"));
+            text.Append(FormattableString.Invariant($"G{random.Next(2, 4)} Y{y + (2 * r):0.000} I0 J{r:0.000}\n"));
         }
 
         var path = NcInterpreter.Run(NcProgram.FromText(text.ToString()), NcDialects.Named("fanuc"));
