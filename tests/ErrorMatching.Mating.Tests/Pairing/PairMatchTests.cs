@@ -232,7 +232,7 @@ public sealed class PairMatchTests
     }
 
     // Two lines that face each other, below y = 0 and above y = 20; the tool is between them.
-    private static MatchResult Rail(double below, double above, double u)
+    private static MatchResult Rail(double below, double above, double u, bool atEndsOnly = false)
     {
         var (low, high) = (below.ToString(CultureInfo.InvariantCulture), (20 - above).ToString(CultureInfo.InvariantCulture));
         return new MatchCase(
@@ -241,8 +241,8 @@ public sealed class PairMatchTests
             Theoretical = "1 5 0; 2 25 0; 3 45 0; 4 45 20; 5 25 20; 6 5 20",
             Part = $"1 5 {low}; 2 25 {low}; 3 45 {low}; 4 45 {high}; 5 25 {high}; 6 5 {high}",
             Features = [
-                MatchCase.Feature("line", "L1", "N50", """["1", "2", "3"]""", Wide),
-                MatchCase.Feature("line", "L2", "N70", """["4", "5", "6"]""", Wide)],
+                MatchCase.Feature("line", "L1", "N50", atEndsOnly ? """["1", "3"]""" : """["1", "2", "3"]""", Wide),
+                MatchCase.Feature("line", "L2", "N70", atEndsOnly ? """["4", "6"]""" : """["4", "5", "6"]""", Wide)],
             Gauge = string.Create(CultureInfo.InvariantCulture, $""" "uncertaintyMm": {u} """),
         }.Match();
     }
@@ -277,6 +277,9 @@ public sealed class PairMatchTests
         var report = Circle(Boss, 0.03, new(0, 0), form: form, points: points).Report();
         Assert.Equal(isCondition ? ["B1"] : [], report.Pair!.UnknownForms);
         Assert.Equal(isCondition, PairWords.Of(report.Pair).EndsWith(Condition, StringComparison.Ordinal));
+
+        Assert.Equal(["L1", "L2"], Rail(0.03, 0.02, 0.0001, atEndsOnly: true).Pair!.UnknownForms);
+        Assert.Empty(Rail(0.03, 0.02, 0.0001).Pair!.UnknownForms);
 
         // It is no condition of an overlap, nor of a part that can be lifted off.
         Assert.DoesNotContain(Condition, PairWords.Of(report.Pair with { Assembles = false }), StringComparison.Ordinal);
