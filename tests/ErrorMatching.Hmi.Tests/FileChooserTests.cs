@@ -36,6 +36,18 @@ public sealed class FileChooserTests
     });
 
     [Fact]
+    public Task What_is_typed_before_the_folder_is_shown_stays() => At((seat, folder) =>
+    {
+        _ = seat.Shell.ChooseAsync(new(FileChoiceKind.Open, "History.Program", [".nc"]) { Start = folder });
+        var typed = Path.Combine(folder, "programs", "a.nc");
+        seat.Shell.Choosing!.Typed = typed;
+        seat.See("entry-programs");
+        Assert.Equal(typed, ((TextBox)seat.See("chooser-path")).Text);
+        Assert.True(seat.See("chooser-confirm").IsEffectivelyEnabled);
+        return Task.CompletedTask;
+    });
+
+    [Fact]
     public Task Nothing_can_be_opened_before_something_is_chosen() => At((seat, folder) =>
     {
         _ = Open(seat, new(FileChoiceKind.Open, "History.Program", [".nc"]) { Start = Path.Combine(folder, "programs") });

@@ -131,7 +131,7 @@ public sealed class FileChooserViewModel : Observable
     }
 
     /// <summary>Shows a folder. If it cannot be shown, a message tells why and the previous one stays.</summary>
-    public void Enter(string folder) => Loading = EnterAsync(folder).Watched();
+    public void Enter(string folder) => Loading = EnterAsync(folder, Typed).Watched();
 
     /// <summary>Updates all texts after a change of language.</summary>
     internal void Translate()
@@ -146,7 +146,7 @@ public sealed class FileChooserViewModel : Observable
     {
         var (there, name) = await Task.Run(() => Begin(folder));
         Places = await Task.Run(() => Hmi.Places.Of(cellFolder, samplesFolder, recent));
-        await EnterAsync(there);
+        await EnterAsync(there, "");
         if (name is not null && Folder == there)
         {
             Typed = Path.Combine(there, name);
@@ -166,7 +166,8 @@ public sealed class FileChooserViewModel : Observable
         return (folder, full == folder ? null : Path.GetRelativePath(folder, full));
     }
 
-    private async Task EnterAsync(string folder)
+    // Before: what stood in the field when it was asked for. What was typed or tapped since then is the choice.
+    private async Task EnterAsync(string folder, string before)
     {
         _looking?.Cancel();
         using var looking = _looking = new();
@@ -179,7 +180,7 @@ public sealed class FileChooserViewModel : Observable
             {
                 _listing = listing;
                 Rows.Show(listing.Entries);
-                Typed = _choice.Kind == FileChoiceKind.Open && Chosen is not null ? Typed
+                Typed = Typed != before || (_choice.Kind == FileChoiceKind.Open && Chosen is not null) ? Typed
                     : _choice.Kind == FileChoiceKind.Save
                         && Typed.Length > 0
                         && Path.GetFileName(Typed) is { Length: > 0 } name
