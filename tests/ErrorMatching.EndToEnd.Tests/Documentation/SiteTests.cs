@@ -7,7 +7,7 @@ namespace ErrorMatching.EndToEnd.Tests;
 public sealed partial class SiteTests
 {
     [Theory]
-    [InlineData("docs", "docs/station/", "docs/site/")]
+    [InlineData("docs", "docs/station/")]
     [InlineData("docs/station/en")]
     [InlineData("docs/station/zh-Hant")]
     [InlineData("samples")]
