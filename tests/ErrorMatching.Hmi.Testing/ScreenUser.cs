@@ -242,6 +242,12 @@ public sealed class ScreenUser(Window window)
     {
         ArgumentNullException.ThrowIfNull(condition);
         var watch = Stopwatch.StartNew();
+        Settle();
+        if (condition())
+        {
+            return this;
+        }
+
         var frame = new DispatcherFrame();
         var isSo = false;
         ExceptionDispatchInfo? failure = null;

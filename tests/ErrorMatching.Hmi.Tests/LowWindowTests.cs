@@ -21,9 +21,9 @@ public sealed class LowWindowTests
     private static readonly (Language Language, string Code)[] Languages = [(Language.TraditionalChinese, "zh"), (Language.English, "en")];
 
     [Theory]
-    [InlineData(1024, 640, TouchSize.Standard)]
+    [InlineData(1024, 640, TouchSize.Standard, Explicit = true)]
     [InlineData(1024, 640, TouchSize.Largest)]
-    [InlineData(1280, 800, TouchSize.Standard)]
+    [InlineData(1280, 800, TouchSize.Standard, Explicit = true)]
     public Task Rows_and_the_next_step_are_seen(double width, double height, TouchSize touch) => Seat.AtAsync(
         seat =>
         {

@@ -16,7 +16,7 @@ public sealed class MemoryTests
     private static readonly int Times = int.Parse(
         Environment.GetEnvironmentVariable("ERRORMATCH_SCREENS") ?? "20", CultureInfo.InvariantCulture);
 
-    [Fact]
+    [Fact(Explicit = true)]
     public Task Screens_that_were_left_leave_nothing_behind() => Seat.AtAsync(async seat =>
     {
         seat.Cell.Run();

@@ -20,9 +20,9 @@ public sealed class SizeTests
 
     // One tour for each scaling: going around takes longer than looking.
     [Theory]
-    [InlineData(1.0)]
+    [InlineData(1.0, Explicit = true)]
     [InlineData(1.5)]
-    [InlineData(2.0)]
+    [InlineData(2.0, Explicit = true)]
     public async Task Everything_is_seen_at_any_scaling_and_with_the_largest_targets(double scaling)
     {
         await Drawing.Needed().RunAsync(() => OffScreenSession.Scaling = scaling);

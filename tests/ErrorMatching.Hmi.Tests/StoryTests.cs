@@ -22,7 +22,7 @@ public sealed class StoryTests
     private static readonly string Sample = Repository.PathTo("samples", "complex-mating");
 
     [Theory]
-    [InlineData(false)]
+    [InlineData(false, Explicit = true)]
     [InlineData(true)]
     public Task From_nothing_to_signing_out(bool isChinese) => Seat.AtAsync(seat =>
     {

@@ -14,7 +14,7 @@ namespace ErrorMatching.Hmi.Tests;
 public sealed class TargetTests
 {
     [Theory]
-    [InlineData(1)]
+    [InlineData(1, Explicit = true)]
     [InlineData(2)]
     public async Task No_message_of_the_cell_moves_a_target_on_any_screen(double scaling)
     {
@@ -147,8 +147,8 @@ public sealed class TargetTests
     /// <summary>In each field of each side something is typed that cannot be meant, and nothing at all;
     /// in each choice everything is chosen.</summary>
     [Theory]
-    [InlineData(ScreenKeys.Points, TouchSize.Standard)]
-    [InlineData(ScreenKeys.System, TouchSize.Standard)]
+    [InlineData(ScreenKeys.Points, TouchSize.Standard, Explicit = true)]
+    [InlineData(ScreenKeys.System, TouchSize.Standard, Explicit = true)]
     [InlineData(ScreenKeys.Points, TouchSize.Largest)]
     [InlineData(ScreenKeys.System, TouchSize.Largest)]
     public Task Nothing_that_is_said_of_a_field_moves_a_target(string screen, TouchSize touch) => SetupSeat.AtAsync(screen, here =>
