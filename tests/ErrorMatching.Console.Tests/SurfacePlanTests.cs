@@ -130,7 +130,7 @@ public sealed class SurfacePlanTests
 
     private static string Job(string sample) => Repository.PathTo("samples", sample, "job.json");
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void A_stylus_that_does_not_reach_stops_probing_and_not_what_was_measured()
     {
         // The valley of Surface two has a radius of 125 mm: a ball of 300 mm does not touch its ground.

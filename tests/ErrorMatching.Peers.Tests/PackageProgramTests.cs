@@ -2,6 +2,7 @@ using System.Security.Cryptography;
 using System.Text;
 using System.Text.RegularExpressions;
 using ErrorMatching.Nc;
+using ErrorMatching.Testing;
 
 namespace ErrorMatching.Peers.Tests;
 
@@ -31,6 +32,7 @@ public sealed partial class PackageProgramTests
         var files = Folders.Where(Directory.Exists)
             .SelectMany(f => Directory.EnumerateFiles(f, "*.ngc", SearchOption.AllDirectories))
             .Where(f => !Excluded.ContainsKey(Path.GetFileName(f)))
+            .Where(f => new FileInfo(f).Length <= Depth.Of(60_000, int.MaxValue))
             .Order(StringComparer.Ordinal)
             .DistinctBy(f => Convert.ToHexString(SHA256.HashData(File.ReadAllBytes(f))))
             .ToArray();

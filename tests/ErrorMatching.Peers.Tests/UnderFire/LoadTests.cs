@@ -21,7 +21,7 @@ public sealed class LoadTests
     private static readonly int Seconds = int.Parse(
         Environment.GetEnvironmentVariable("ERRORMATCH_LOAD") ?? "2", CultureInfo.InvariantCulture);
 
-    [Fact]
+    [Fact(Explicit = true)]
     public async Task Ten_pieces_a_second_reach_an_FTP_server()
     {
         FtpPeer.IsNeeded();

