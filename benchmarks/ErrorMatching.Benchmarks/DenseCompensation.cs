@@ -14,12 +14,9 @@ internal static class DenseCompensation
     private const int Runs = 11, Curves = 61, Each = 51;
 
     /// <summary>Runs the figures.</summary>
-    /// <param name="executable">The console to time; null for the one from the build.</param>
-    public static int Run(string? executable)
+    public static int Run()
     {
-        var console = executable
-            ?? Repository.PathTo(
-                "artifacts", "bin", "ErrorMatching.Console", "release", OperatingSystem.IsWindows() ? "errormatch.exe" : "errormatch");
+        var console = TimedConsole.Path;
         var folder = Directory.CreateTempSubdirectory("errormatch-").FullName;
         try
         {

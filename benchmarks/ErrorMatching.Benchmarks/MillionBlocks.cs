@@ -1,7 +1,6 @@
 using System.Globalization;
 using System.Text;
 using ErrorMatching.Nc;
-using ErrorMatching.Testing;
 
 namespace ErrorMatching.Benchmarks;
 
@@ -10,10 +9,6 @@ namespace ErrorMatching.Benchmarks;
 internal static class MillionBlocks
 {
     private const int Runs = 7;
-
-    /// <summary>The built console.</summary>
-    public static string Console => Repository.PathTo(
-        "artifacts", "bin", "ErrorMatching.Console", "release", OperatingSystem.IsWindows() ? "errormatch.exe" : "errormatch");
 
     /// <summary>Runs the figures.</summary>
     /// <param name="blocks">Number of blocks; null for a million.</param>
@@ -30,17 +25,17 @@ internal static class MillionBlocks
                 ["nc", "displace", file, "--dialect", "fanuc", "--blocks", range, how, by, "--out", Path.Combine(folder, "moved.nc")];
             Measurement[] measured =
             [
-                Measurement.OfProcess(Runs, "errormatch nc displace --normal", Console, Displace("--normal", "0.02"), folder),
-                Measurement.OfProcess(Runs, "errormatch nc displace --by", Console, Displace("--by", "0.02,0.01"), folder),
-                Measurement.OfProcess(Runs, "errormatch nc check", Console, ["nc", "check", file, "--dialect", "fanuc"], folder),
+                Measurement.OfProcess(Runs, "errormatch nc displace --normal", TimedConsole.Path, Displace("--normal", "0.02"), folder),
+                Measurement.OfProcess(Runs, "errormatch nc displace --by", TimedConsole.Path, Displace("--by", "0.02,0.01"), folder),
+                Measurement.OfProcess(Runs, "errormatch nc check", TimedConsole.Path, ["nc", "check", file, "--dialect", "fanuc"], folder),
             ];
-            System.Console.WriteLine(string.Create(
+            Console.WriteLine(string.Create(
                 CultureInfo.InvariantCulture, $"{count} blocks, {bytes / 1e6:0.0} MB, {range} displaced, best of {Runs} runs"));
-            System.Console.WriteLine("| what | seconds | peak MB | times the file |");
-            System.Console.WriteLine("|---|---|---|---|");
+            Console.WriteLine("| what | seconds | peak MB | times the file |");
+            Console.WriteLine("|---|---|---|---|");
             foreach (var m in measured)
             {
-                System.Console.WriteLine(string.Create(
+                Console.WriteLine(string.Create(
                     CultureInfo.InvariantCulture,
                     $"| {m.Name} | {m.Seconds:0.000} | {m.PeakBytes / 1e6:0} | {(double)m.PeakBytes / bytes:0.00} |"));
             }
@@ -55,7 +50,7 @@ internal static class MillionBlocks
                 best = Math.Min(best, watch.Elapsed.TotalSeconds);
             }
 
-            System.Console.WriteLine(string.Create(
+            Console.WriteLine(string.Create(
                 CultureInfo.InvariantCulture, $"Interpreting from memory: {count / best / 1e6:0.0} million blocks a second."));
             return 0;
         }

@@ -2,7 +2,6 @@ using System.Diagnostics;
 using System.Globalization;
 using System.Text;
 using ErrorMatching.Nc;
-using ErrorMatching.Testing;
 
 namespace ErrorMatching.Benchmarks;
 
@@ -30,8 +29,7 @@ internal static class PeerBenchmark
             var program = Program(count);
             var file = Path.Combine(folder, "program.ngc");
             File.WriteAllBytes(file, program);
-            var console = Repository.PathTo(
-                "artifacts", "bin", "ErrorMatching.Console", "release", OperatingSystem.IsWindows() ? "errormatch.exe" : "errormatch");
+            var console = TimedConsole.Path;
             Console.WriteLine(string.Create(
                 CultureInfo.InvariantCulture, $"{count} blocks, {program.Length / 1e6:0.0} MB, best of {Runs} runs"));
             var reference = Measurement.OfProcess(Runs, "rs274 -g, whole process", peer, ["-g", file], folder);

@@ -1,14 +1,14 @@
 using BenchmarkDotNet.Running;
 using ErrorMatching.Benchmarks;
 
-if (args is ["whole-process", .. var rest])
+if (args is ["whole-process"])
 {
-    return WholeProcess.Run(rest.FirstOrDefault());
+    return WholeProcess.Run();
 }
 
-if (args is ["compensate", .. var console])
+if (args is ["compensate"])
 {
-    return DenseCompensation.Run(console.FirstOrDefault());
+    return DenseCompensation.Run();
 }
 
 if (args is ["rs274", .. var blocks])
@@ -16,9 +16,9 @@ if (args is ["rs274", .. var blocks])
     return PeerBenchmark.Run(blocks.FirstOrDefault());
 }
 
-if (args is ["real", .. var timed])
+if (args is ["real"])
 {
-    return RealPrograms.Run(timed.FirstOrDefault());
+    return RealPrograms.Run();
 }
 
 if (args is ["million", .. var million])

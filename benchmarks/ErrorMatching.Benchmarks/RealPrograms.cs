@@ -24,8 +24,7 @@ internal static class RealPrograms
     private static readonly string[] NotRepeated = ["%", "M2", "M30", "M428", "M429", "T1 M6", "G43"];
 
     /// <summary>Runs the comparison.</summary>
-    /// <param name="executable">The console to time; null for the one from the build.</param>
-    public static int Run(string? executable)
+    public static int Run()
     {
         if (PeerBenchmark.Find() is not { } peer)
         {
@@ -33,7 +32,7 @@ internal static class RealPrograms
             return 1;
         }
 
-        var console = executable ?? MillionBlocks.Console;
+        var console = TimedConsole.Path;
         var folder = Directory.CreateTempSubdirectory("errormatch-real-").FullName;
         try
         {

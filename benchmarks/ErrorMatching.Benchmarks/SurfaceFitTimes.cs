@@ -2,7 +2,6 @@ using System.Diagnostics;
 using System.Globalization;
 using System.Text;
 using ErrorMatching.Freeform;
-using ErrorMatching.Testing;
 
 namespace ErrorMatching.Benchmarks;
 
@@ -16,8 +15,7 @@ internal static class SurfaceFitTimes
     /// <param name="points">70 or 5000; null for both.</param>
     public static int Run(string? points)
     {
-        var console = Repository.PathTo(
-            "artifacts", "bin", "ErrorMatching.Console", "release", OperatingSystem.IsWindows() ? "errormatch.exe" : "errormatch");
+        var console = TimedConsole.Path;
         var folder = Directory.CreateTempSubdirectory("errormatch-").FullName;
         try
         {

@@ -10,18 +10,21 @@ internal static class WholeProcess
     private const int Runs = 21;
 
     /// <summary>Runs the figures.</summary>
-    /// <param name="executable">The console to time; null for the one from the build.</param>
-    public static int Run(string? executable)
+    public static int Run()
     {
-        var console = executable
-            ?? Repository.PathTo(
-                "artifacts", "bin", "ErrorMatching.Console", "release", OperatingSystem.IsWindows() ? "errormatch.exe" : "errormatch");
-        var sample = Repository.PathTo("samples", "complex-mating", "job.json");
+        var console = TimedConsole.Path;
         var folder = Directory.CreateTempSubdirectory("errormatch-").FullName;
         try
         {
             Report("errormatch --version", console, ["--version"]);
-            Report("errormatch match complex-mating --out", console, ["match", sample, "--out", Path.Combine(folder, "out")]);
+            foreach (var mating in new[] { "complex-mating", "curve-mating", "circle-mating", "slot-mating", "dovetail" })
+            {
+                Report(
+                    $"errormatch match {mating} --out",
+                    console,
+                    ["match", Repository.PathTo("samples", mating, "job.json"), "--out", Path.Combine(folder, mating)]);
+            }
+
             foreach (var design in new[] { "surface-one", "surface-two", "surface-three" })
             {
                 Report(

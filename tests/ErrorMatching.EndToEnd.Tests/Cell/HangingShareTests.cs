@@ -38,6 +38,7 @@ public sealed class HangingShareTests
         File.Delete(program);
         File.Move(cell["original"], program);
         cell.Start();
+        await cell.HasBegun();
         await cell.Until(async () => (await cell.StateOf(other.Name)) == "verified", Patience, "the next start goes on");
         Assert.False(files.FileByProgram.ContainsKey(FireFiles.Hash(
             await File.ReadAllBytesAsync(program, TestContext.Current.CancellationToken))));

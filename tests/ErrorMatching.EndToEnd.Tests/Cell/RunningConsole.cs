@@ -33,6 +33,16 @@ internal sealed class RunningConsole : IDisposable
         }
     }
 
+    /// <summary>Bytes of memory that it has at this moment.</summary>
+    public long Memory
+    {
+        get
+        {
+            _process.Refresh();
+            return _process.WorkingSet64;
+        }
+    }
+
     /// <summary>Ends it at once, and nothing of it has a say.</summary>
     public async Task KillAsync()
     {

@@ -7,7 +7,7 @@ namespace ErrorMatching.EndToEnd.Tests;
 [Trait("Runs", "Console")]
 public sealed partial class DocumentationTests
 {
-    private const string Quickstart = "dotnet run --project src/ErrorMatching.Console -- ";
+    private const string Quickstart = "dotnet run -c Release --project src/ErrorMatching.Console -- ";
 
     public static TheoryData<string> Pages =>
         [.. new[] { "README.md" }.Concat(InRepository("docs").Concat(InRepository("samples")).Order(StringComparer.Ordinal))];

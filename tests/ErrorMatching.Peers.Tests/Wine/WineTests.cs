@@ -17,7 +17,7 @@ public sealed partial class WineTests(WineConsole wine) : IClassFixture<WineCons
     [InlineData("circle-mating")]
     [InlineData("curve-mating", Explicit = true)]
     [InlineData("dovetail")]
-    [InlineData("klartext-mating")]
+    [InlineData("klartext-mating", Explicit = true)]
     [InlineData("slot-mating", Explicit = true)]
     public async Task Samples_of_mating_pieces_have_the_same_program_and_report(string sample) =>
         await AreAlike($"match samples/{sample}/job.json --out OUT");
@@ -28,14 +28,14 @@ public sealed partial class WineTests(WineConsole wine) : IClassFixture<WineCons
     [InlineData(
         $"nc displace {Complex}/counterpart.nc --dialect delta-nc300 {Blocks} --out OUT/d.nc --wish OUT/w.json --certificate OUT/c.json")]
     [InlineData($"nc prove {Complex}/counterpart.nc samples/proof/displaced.nc --wish samples/proof/wish.json --json")]
-    [InlineData($"nc diff {Complex}/counterpart.nc samples/proof/displaced.nc --json")]
+    [InlineData($"nc diff {Complex}/counterpart.nc samples/proof/displaced.nc --json", Explicit = true)]
     [InlineData($"verify {Complex}/job.json --before {Complex}/counterpart.csv --after {Complex}/counterpart-after.csv --out OUT")]
     [InlineData($"job check {Complex}/job.json")]
-    [InlineData($"surface plan {Surface}/job.json --out OUT")]
+    [InlineData($"surface plan {Surface}/job.json --out OUT", Explicit = true)]
     [InlineData($"surface evaluate {Surface}/job.json --measured {Surface}/after.csv --before {Surface}/measured.csv --out OUT")]
     [InlineData("surface fit samples/surface-fit/points.csv --check samples/surface-fit/check.csv --out OUT")]
-    [InlineData($"surface probe {Surface}/job.json --out OUT")]
-    [InlineData("surface toolpath samples/surface-two/job.json --out OUT")]
+    [InlineData($"surface probe {Surface}/job.json --out OUT", Explicit = true)]
+    [InlineData("surface toolpath samples/surface-two/job.json --out OUT", Explicit = true)]
     [InlineData(
         $"surface displace {Surface}/job.json --measured {Surface}/measured.csv --program {Surface}/cam.nc --out OUT",
         Explicit = true)]
