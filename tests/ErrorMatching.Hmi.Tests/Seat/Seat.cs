@@ -105,10 +105,10 @@ internal sealed class Seat : IAsyncDisposable
         .FirstOrDefault(
             c => c.IsEffectivelyVisible && AutomationProperties.GetAutomationId(c) == id && !Window.Stage.IsVisualAncestorOf(c));
 
-    /// <summary>What is on the screen by that AutomationId, waited for.</summary>
+    /// <summary>What is on the screen by that AutomationId, waited for; where a file is chosen, until its folder is shown.</summary>
     public Control See(string id)
     {
-        WaitFor(() => Find(id) is not null, $"{id} does not appear.");
+        WaitFor(() => Find(id) is not null && Shell.Choosing is not { Loading.IsCompleted: false }, $"{id} does not appear.");
         return Find(id)!;
     }
 
@@ -120,7 +120,6 @@ internal sealed class Seat : IAsyncDisposable
     public Seat Tap(string id)
     {
         See(id);
-        SeeTheFolder();
         WaitFor(() => Find(id) is { IsEffectivelyEnabled: true }, $"{id} stays disabled.");
         Find(id)?.BringIntoView();
         User.Settle();
@@ -143,16 +142,12 @@ internal sealed class Seat : IAsyncDisposable
     public Seat Type(string id, string text)
     {
         See(id);
-        SeeTheFolder();
         User.Click(See(id))
             .Press(Avalonia.Input.Key.A, Avalonia.Input.RawInputModifiers.Control)
             .Press(Avalonia.Input.Key.Delete)
             .Type(text);
         return this;
     }
-
-    // Who chooses a file waits until the folder is shown.
-    private void SeeTheFolder() => WaitFor(() => Shell.Choosing is not { Loading.IsCompleted: false }, "The folder does not appear.");
 
     /// <summary>Signs in: by the user's tile, or by the name where a small screen has no room for the tile.</summary>
     public Seat SignIn(string name)
