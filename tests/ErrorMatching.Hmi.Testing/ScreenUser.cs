@@ -37,7 +37,12 @@ public sealed class ScreenUser(Window window)
 
     /// <summary>Lets time pass until a condition is met.</summary>
     /// <exception cref="TimeoutException">The condition was not met in time.</exception>
-    public ScreenUser WaitFor(Func<bool> condition, TimeSpan most) => WaitFor(condition, most, DispatcherPriority.Background);
+    public ScreenUser WaitFor(Func<bool> condition, TimeSpan most)
+    {
+        ArgumentNullException.ThrowIfNull(condition);
+        Settle();
+        return condition() ? this : WaitFor(condition, most, DispatcherPriority.Background);
+    }
 
     /// <summary>Moves the pointer to the middle of a control.</summary>
     public ScreenUser MoveTo(Visual target) => MoveTo(target, Middle(target));
@@ -240,14 +245,7 @@ public sealed class ScreenUser(Window window)
 
     private ScreenUser WaitFor(Func<bool> condition, TimeSpan most, DispatcherPriority priority)
     {
-        ArgumentNullException.ThrowIfNull(condition);
         var watch = Stopwatch.StartNew();
-        Settle();
-        if (condition())
-        {
-            return this;
-        }
-
         var frame = new DispatcherFrame();
         var isSo = false;
         ExceptionDispatchInfo? failure = null;

@@ -35,15 +35,50 @@ public sealed class FileChooserTests
         Assert.Null(seat.Shell.Choosing);
     });
 
-    [Fact]
-    public Task What_is_typed_before_the_folder_is_shown_stays() => At((seat, folder) =>
+    [Theory]
+    [InlineData("")]
+    [InlineData("programs/b.NC")]
+    public Task What_is_typed_before_the_folder_is_shown_stays(string proposed) => At((seat, folder) =>
     {
-        _ = seat.Shell.ChooseAsync(new(FileChoiceKind.Open, "History.Program", [".nc"]) { Start = folder });
+        _ = seat.Shell.ChooseAsync(new(FileChoiceKind.Open, "History.Program", [".nc"]) { Start = Path.Combine(folder, proposed) });
         var typed = Path.Combine(folder, "programs", "a.nc");
         seat.Shell.Choosing!.Typed = typed;
-        seat.See("entry-programs");
         Assert.Equal(typed, ((TextBox)seat.See("chooser-path")).Text);
         Assert.True(seat.See("chooser-confirm").IsEffectivelyEnabled);
+        return Task.CompletedTask;
+    });
+
+    [Fact]
+    public Task A_path_can_be_confirmed_before_the_folder_is_shown() => At(async (seat, folder) =>
+    {
+        var chosen = seat.Shell.ChooseAsync(new(FileChoiceKind.Open, "History.Program", [".nc"]) { Start = folder });
+        seat.Shell.Choosing!.Typed = Path.Combine(folder, "programs", "a.nc");
+        seat.Shell.Choosing.Confirm.Execute(null);
+        Assert.Equal(Path.Combine(folder, "programs", "a.nc"), await chosen);
+    });
+
+    [Fact]
+    public Task A_new_name_goes_along_into_a_folder_that_is_still_being_read() => At((seat, folder) =>
+    {
+        _ = Open(seat, new(FileChoiceKind.Save, "History.Program", [".nc"]) { Start = Path.Combine(folder, "old.nc") });
+        seat.See("entry-programs");
+        seat.Shell.Choosing!.Enter(Path.Combine(folder, "programs"));
+        seat.Shell.Choosing.Typed = Path.Combine(folder, "new.nc");
+        seat.See("entry-a.nc");
+        Assert.Equal(Path.Combine(folder, "programs", "new.nc"), seat.Shell.Choosing.Typed);
+        return Task.CompletedTask;
+    });
+
+    // A folder that may not be read, or is read slowly: there is nothing to show all of.
+    [Fact]
+    public Task All_files_are_asked_for_once_there_are_some() => At((seat, folder) =>
+    {
+        _ = seat.Shell.ChooseAsync(new(FileChoiceKind.Open, "History.Program", [".nc"]) { Start = folder });
+        var chooser = seat.Shell.Choosing!;
+        Assert.False(chooser.ShowAll.CanExecute(null));
+        chooser.ShowAll.Execute(null);
+        seat.See("entry-programs");
+        Assert.True(seat.Tap("chooser-filter").See("entry-notes.txt").IsEffectivelyVisible);
         return Task.CompletedTask;
     });
 

@@ -10,7 +10,7 @@ namespace ErrorMatching.Hmi.Tests;
 [Trait("Length", "Long")]
 public sealed partial class PostgresLostTests
 {
-    [Fact(Explicit = true)]
+    [Fact]
     public async Task A_server_that_goes_away_is_a_banner_and_everything_works_again_when_it_is_back()
     {
         PostgresServer.IsNeeded();

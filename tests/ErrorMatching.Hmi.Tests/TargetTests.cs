@@ -50,7 +50,7 @@ public sealed class TargetTests
         Assert.True(moved.Count == 0, string.Join('\n', moved.Distinct()));
     }
 
-    [Fact(Explicit = true)]
+    [Fact]
     public Task A_store_that_goes_moves_no_target_and_no_screen_says_that_there_is_nothing() => Seat.AtAsync(seat =>
     {
         string[] nothing = ["Freeform.Empty", "Verify.Empty", "Compensation.Empty", "Messages.Quiet", "Overview.Well"];

@@ -30,12 +30,14 @@ public sealed class FileChooserViewModel : Observable
         Up = new(() => Enter(Path.GetDirectoryName(Folder)!), () => Path.GetDirectoryName(Folder) is not null);
         Leave = new(() => End(null));
         Confirm = new(_ => ConfirmAsync(), CanConfirm);
-        ShowAll = new(() =>
-        {
-            _isAll = !_isAll;
-            OnPropertyChanged(nameof(Filter));
-            Enter(Folder);
-        });
+        ShowAll = new(
+            () =>
+            {
+                _isAll = !_isAll;
+                OnPropertyChanged(nameof(Filter));
+                Enter(Folder);
+            },
+            () => _listing is not null);
         Loading = BeginAsync(folder, cellFolder, samplesFolder, recent).Watched();
     }
 
@@ -147,7 +149,7 @@ public sealed class FileChooserViewModel : Observable
         var (there, name) = await Task.Run(() => Begin(folder));
         Places = await Task.Run(() => Hmi.Places.Of(cellFolder, samplesFolder, recent));
         await EnterAsync(there, "");
-        if (name is not null && Folder == there)
+        if (name is not null && Folder == there && Typed == there)
         {
             Typed = Path.Combine(there, name);
         }
@@ -180,7 +182,7 @@ public sealed class FileChooserViewModel : Observable
             {
                 _listing = listing;
                 Rows.Show(listing.Entries);
-                Typed = Typed != before || (_choice.Kind == FileChoiceKind.Open && Chosen is not null) ? Typed
+                Typed = IsNew(before) || (_choice.Kind == FileChoiceKind.Open && Chosen is not null) ? Typed
                     : _choice.Kind == FileChoiceKind.Save
                         && Typed.Length > 0
                         && Path.GetFileName(Typed) is { Length: > 0 } name
@@ -188,6 +190,7 @@ public sealed class FileChooserViewModel : Observable
                     ? Path.Combine(listing.Folder, name)
                     : listing.Folder;
                 Up.Refresh();
+                ShowAll.Refresh();
                 Confirm.Refresh();
                 OnPropertyChanged();
                 OnPropertyChanged(nameof(Chosen));
@@ -199,13 +202,18 @@ public sealed class FileChooserViewModel : Observable
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or SecurityException)
         {
-            Message = Why(e, folder);
+            // Of a folder that was left meanwhile nothing is said.
+            Message = _looking == looking ? Why(e, folder) : Message;
         }
         finally
         {
             _looking = _looking == looking ? null : _looking;
         }
     }
+
+    // A new name of a file to write goes into the folder that is opened, unless its folder was typed, too.
+    private bool IsNew(string before) => Typed != before
+        && (_choice.Kind != FileChoiceKind.Save || Path.GetDirectoryName(Typed) != Path.GetDirectoryName(before));
 
     // The current folder is not a file: nothing is chosen yet.
     private bool CanConfirm() =>
@@ -217,13 +225,14 @@ public sealed class FileChooserViewModel : Observable
     private async Task ConfirmAsync()
     {
         Message = null;
-        if (Typed.Contains('\0', StringComparison.Ordinal) || Folder.Length == 0)
+        var typed = Typed;
+        if (typed.Contains('\0', StringComparison.Ordinal) || (Folder.Length == 0 && !Path.IsPathFullyQualified(typed.Trim())))
         {
-            Message = Texts.Current.With("Chooser.Missing", FolderEntry.Visible(Typed));
+            Message = Texts.Current.With("Chooser.Missing", FolderEntry.Visible(typed));
             return;
         }
 
-        var path = Path.GetFullPath(Typed.Trim(), Folder);
+        var path = Folder.Length == 0 ? Path.GetFullPath(typed.Trim()) : Path.GetFullPath(typed.Trim(), Folder);
         var (isFolder, isFile, isPlaced) = await Task.Run(
             () => (Directory.Exists(path), File.Exists(path), Directory.Exists(Path.GetDirectoryName(path))));
         switch (_choice.Kind)
@@ -235,7 +244,7 @@ public sealed class FileChooserViewModel : Observable
                 Message = Texts.Current.With("Chooser.NoFolder", FolderEntry.Visible(path));
                 break;
             case var _ when isFolder:
-                Enter(path);
+                Loading = EnterAsync(path, typed).Watched();
                 await Loading;
                 break;
             case FileChoiceKind.Open when isFile:

@@ -8,7 +8,7 @@ namespace ErrorMatching.EndToEnd.Tests;
 public sealed class KillTests
 {
     private static readonly int Times = int.Parse(
-        Environment.GetEnvironmentVariable("ERRORMATCH_KILLS") ?? "5", CultureInfo.InvariantCulture);
+        Environment.GetEnvironmentVariable("ERRORMATCH_KILLS") ?? "8", CultureInfo.InvariantCulture);
 
     [Fact]
     public async Task Nothing_is_lost_or_done_twice_however_often_the_process_dies()

@@ -66,7 +66,7 @@ public sealed class PlannedJobTests
 
     // Beyond its key points a line is an extension: the variance u^2 (1 / n + d^2 / S) of a line's place at a distance d from the mean of
     // n points with the sum of squares S is least if the third point is beside the end that is extended.
-    [Fact(Explicit = true)]
+    [Fact]
     public void Where_a_line_reaches_beyond_its_key_points_the_next_point_is_beside_that_end()
     {
         using var folder = Copied("dovetail");

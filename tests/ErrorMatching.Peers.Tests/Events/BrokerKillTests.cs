@@ -10,7 +10,7 @@ namespace ErrorMatching.Peers.Tests;
 public sealed class BrokerKillTests(ITestOutputHelper output)
 {
     private static readonly int Kills = int.Parse(
-        Environment.GetEnvironmentVariable("ERRORMATCH_KILLS") ?? "4", CultureInfo.InvariantCulture);
+        Environment.GetEnvironmentVariable("ERRORMATCH_KILLS") ?? "8", CultureInfo.InvariantCulture);
 
     private static readonly int Waiting = int.Parse(
         Environment.GetEnvironmentVariable("ERRORMATCH_BACKLOG") ?? "500", CultureInfo.InvariantCulture);

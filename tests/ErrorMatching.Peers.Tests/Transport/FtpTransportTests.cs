@@ -10,7 +10,7 @@ public sealed class FtpTransportTests
     [Theory]
     [InlineData(nameof(FtpTls.None))]
     [InlineData(nameof(FtpTls.Explicit))]
-    [InlineData(nameof(FtpTls.Implicit), Explicit = true)]
+    [InlineData(nameof(FtpTls.Implicit))]
     public async Task A_folder_behind_the_server_does_what_folders_do(string kind)
     {
         FtpPeer.IsNeeded();

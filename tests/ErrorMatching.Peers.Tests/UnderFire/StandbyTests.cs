@@ -19,7 +19,7 @@ public sealed class StandbyTests(PostgresServer server)
     public async Task A_standby_goes_on_within_ten_seconds_and_every_program_is_sent_once()
     {
         PostgresServer.IsNeeded();
-        var rounds = int.Parse(Environment.GetEnvironmentVariable("ERRORMATCH_ROUNDS") ?? "1", CultureInfo.InvariantCulture);
+        var rounds = int.Parse(Environment.GetEnvironmentVariable("ERRORMATCH_ROUNDS") ?? "2", CultureInfo.InvariantCulture);
         var token = TestContext.Current.CancellationToken;
         var settings = server.NewDatabase();
         using var cell = new FireCell(slots: 3, server.StoreOf(settings, "line_1"));

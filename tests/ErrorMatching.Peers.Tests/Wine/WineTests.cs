@@ -34,11 +34,9 @@ public sealed partial class WineTests(WineConsole wine) : IClassFixture<WineCons
     [InlineData($"surface plan {Surface}/job.json --out OUT", Explicit = true)]
     [InlineData($"surface evaluate {Surface}/job.json --measured {Surface}/after.csv --before {Surface}/measured.csv --out OUT")]
     [InlineData("surface fit samples/surface-fit/points.csv --check samples/surface-fit/check.csv --out OUT")]
-    [InlineData($"surface probe {Surface}/job.json --out OUT", Explicit = true)]
+    [InlineData($"surface probe {Surface}/job.json --out OUT")]
     [InlineData("surface toolpath samples/surface-two/job.json --out OUT", Explicit = true)]
-    [InlineData(
-        $"surface displace {Surface}/job.json --measured {Surface}/measured.csv --program {Surface}/cam.nc --out OUT",
-        Explicit = true)]
+    [InlineData($"surface displace {Surface}/job.json --measured {Surface}/measured.csv --program {Surface}/cam.nc --out OUT")]
     [InlineData($"surface compensate {Surface}/job.json --measured {Surface}/measured.csv --out OUT")]
     [InlineData("surface compensate samples/surface-two/job.json --measured samples/surface-two/measured.csv --out OUT", Explicit = true)]
     [InlineData(
