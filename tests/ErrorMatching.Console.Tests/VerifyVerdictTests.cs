@@ -55,6 +55,28 @@ public sealed class VerifyVerdictTests
             "within-limits", Shell.Json(0, "errormatch/verify/1", Verify(like)).GetProperty("verdict").Text("code"));
     }
 
+    // The same as if the designed points had been measured as the counterpart before.
+    [Fact]
+    public void Without_a_counterpart_before_it_is_the_one_as_designed()
+    {
+        using var folder = new TemporaryFolder();
+        var designed = folder.File("designed.csv", File.ReadAllText(Sample("theoretical.csv")));
+        string[] alone = ["verify", Sample("job.json"), "--after", Sample("counterpart-after.csv")];
+
+        var (one, other) = (
+            Shell.Json(0, "errormatch/verify/1", alone),
+            Shell.Json(0, "errormatch/verify/1", [.. alone, "--before", designed]));
+
+        Assert.False(one.GetProperty("beforeMeasured").GetBoolean());
+        Assert.Equal(other.GetProperty("points").GetRawText(), one.GetProperty("points").GetRawText());
+        Assert.InRange(one.GetProperty("maxBeforeMm").GetDouble(), 0.05, 1);
+        var said = Shell.Run(alone);
+        Assert.Equal(0, said.Exit);
+        Assert.Contains(
+            "the largest mating error is 0.3496 mm; of the counterpart as designed it would be 0.", said.Output, StringComparison.Ordinal);
+        Assert.Contains("No counterpart that was cut without compensation is measured", said.Output + said.Error, StringComparison.Ordinal);
+    }
+
     [Fact]
     public void Without_limits_none_can_be_required()
     {

@@ -48,8 +48,11 @@ internal sealed class VerifyAnswer(VerifyReport report, PieceResult piece, strin
 
         page.Line();
         page.Line(
-            $"{report.Job.Name}: the largest mating error was {Show.Mm(report.Result.MaxBeforeMm)} mm before and is "
-                + $"{Show.Mm(report.Result.MaxAfterMm)} mm after");
+            report.IsBeforeMeasured
+                ? $"{report.Job.Name}: the largest mating error was {Show.Mm(report.Result.MaxBeforeMm)} mm before and is "
+                    + $"{Show.Mm(report.Result.MaxAfterMm)} mm after"
+                : $"{report.Job.Name}: the largest mating error is {Show.Mm(report.Result.MaxAfterMm)} mm; of the counterpart as designed "
+                    + $"it would be {Show.Mm(report.Result.MaxBeforeMm)} mm");
         page.Line();
         page.Table(
             ["feature", "quantity", "wanted", "before", "after", "better by"],

@@ -10,8 +10,8 @@ namespace ErrorMatching.Console;
 internal sealed class VerifyVerb : Verb
 {
     private readonly Argument<string> _job = new("JOB") { Description = "The job." };
-    private readonly Option<string> _before = FileOption("--before", "The measured counterpart that was cut without compensation.");
-    private readonly Option<string> _after = FileOption("--after", "The measured counterpart that was cut with it.");
+    private readonly Option<string> _before = FileOption("--before", "The measured counterpart that was cut without compensation. Without this option, before is the counterpart as designed.");
+    private readonly Option<string> _after = FileOption("--after", "The measured counterpart that was cut with compensation.");
     private readonly Option<string> _part = FileOption("--part", "The measured part, instead of the job's.");
     private readonly Option<bool> _require = new("--require-in-tolerance")
     {
@@ -27,11 +27,10 @@ internal sealed class VerifyVerb : Verb
     public VerifyVerb()
         : base(
             "verify",
-            "Compares counterparts, cut without and with compensation, with the part.",
+            "Compares a counterpart, and the one that was cut without compensation, with the part.",
             "errormatch verify samples/complex-mating/job.json --before samples/complex-mating/counterpart.csv --after "
                 + "samples/complex-mating/counterpart-after.csv")
     {
-        _before.Required = true;
         _after.Required = true;
         Arguments.Add(_job);
         Options.Add(_before);
@@ -57,9 +56,9 @@ internal sealed class VerifyVerb : Verb
         var (theoretical, part) = (files.Theoretical(), files.Part(GivenMeasurement(arguments.GetValue(_part))));
         files.CheckFrame(theoretical, part);
         var (before, after) = (
-            files.Counterpart(GivenMeasurement(arguments.GetRequiredValue(_before))),
+            arguments.GetValue(_before) is { } given ? files.Counterpart(GivenMeasurement(given)) : null,
             files.Counterpart(GivenMeasurement(arguments.GetRequiredValue(_after))));
-        if (before.Sha256 == after.Sha256)
+        if (before is not null && before.Sha256 == after.Sha256)
         {
             throw InputRefusals.SameMeasurement(after.File, before.File);
         }
