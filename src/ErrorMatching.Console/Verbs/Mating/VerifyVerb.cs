@@ -10,7 +10,10 @@ namespace ErrorMatching.Console;
 internal sealed class VerifyVerb : Verb
 {
     private readonly Argument<string> _job = new("JOB") { Description = "The job." };
-    private readonly Option<string> _before = FileOption("--before", "The measured counterpart that was cut without compensation. Without this option, before is the counterpart as designed.");
+    private readonly Option<string> _before = FileOption(
+        "--before",
+        "The measured counterpart that was cut without compensation. Without this option, before is the counterpart as designed.");
+
     private readonly Option<string> _after = FileOption("--after", "The measured counterpart that was cut with compensation.");
     private readonly Option<string> _part = FileOption("--part", "The measured part, instead of the job's.");
     private readonly Option<bool> _require = new("--require-in-tolerance")
