@@ -16,7 +16,7 @@ internal static class DenseCompensation
     /// <summary>Runs the figures.</summary>
     public static int Run()
     {
-        var console = TimedConsole.Path;
+        var console = Measurement.Errormatch;
         var folder = Directory.CreateTempSubdirectory("errormatch-").FullName;
         try
         {

@@ -25,7 +25,7 @@ internal static class HugeFiles
         {
             var file = Path.Combine(folder, "huge.nc");
             File.WriteAllBytes(file, []);
-            Show(Measurement.OfProcess(1, "an empty file, nc check", TimedConsole.Path, ["nc", "check", file], folder));
+            Show(Measurement.OfProcess(1, "an empty file, nc check", Measurement.Errormatch, ["nc", "check", file], folder));
             var worst = new Measurement("", 0, 0);
             foreach (var dialect in NcDialects.Names)
             {
@@ -44,11 +44,11 @@ internal static class HugeFiles
 
             Show(worst with { Name = "worst of all: " + worst.Name });
             Fill(file);
-            Show(Measurement.OfProcess(1, "a file of 1 GiB, nc check", TimedConsole.Path, ["nc", "check", file], folder));
+            Show(Measurement.OfProcess(1, "a file of 1 GiB, nc check", Measurement.Errormatch, ["nc", "check", file], folder));
             Show(Measurement.OfProcess(
                 1,
                 "a file of 1 GiB, 101 blocks displaced",
-                TimedConsole.Path,
+                Measurement.Errormatch,
                 ["nc", "displace", file, "--blocks", "N1000000..N1000100", "--normal", "0.02", "--out", Path.Combine(folder, "moved.nc")],
                 folder));
             return 0;

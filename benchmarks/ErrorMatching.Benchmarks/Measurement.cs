@@ -1,11 +1,18 @@
 using System.Diagnostics;
 using System.Globalization;
+using ErrorMatching.Testing;
 
 namespace ErrorMatching.Benchmarks;
 
 /// <summary>The shortest duration of an operation, and its peak memory.</summary>
 internal sealed record Measurement(string Name, double Seconds, long PeakBytes)
 {
+    /// <summary>The console that is timed: what <c>ERRORMATCH_CONSOLE</c> names, such as the native one of <c>deploy/pack --native</c>;
+    /// without it, the one from the build.</summary>
+    public static string Errormatch => Environment.GetEnvironmentVariable("ERRORMATCH_CONSOLE")
+        ?? Repository.PathTo(
+            "artifacts", "bin", "ErrorMatching.Console", "release", OperatingSystem.IsWindows() ? "errormatch.exe" : "errormatch");
+
     /// <summary>Runs a process several times, from its start to its exit.</summary>
     public static Measurement OfProcess(int runs, string name, string executable, string[] arguments, string home)
     {

@@ -25,9 +25,9 @@ internal static class MillionBlocks
                 ["nc", "displace", file, "--dialect", "fanuc", "--blocks", range, how, by, "--out", Path.Combine(folder, "moved.nc")];
             Measurement[] measured =
             [
-                Measurement.OfProcess(Runs, "errormatch nc displace --normal", TimedConsole.Path, Displace("--normal", "0.02"), folder),
-                Measurement.OfProcess(Runs, "errormatch nc displace --by", TimedConsole.Path, Displace("--by", "0.02,0.01"), folder),
-                Measurement.OfProcess(Runs, "errormatch nc check", TimedConsole.Path, ["nc", "check", file, "--dialect", "fanuc"], folder),
+                Measurement.OfProcess(Runs, "errormatch nc displace --normal", Measurement.Errormatch, Displace("--normal", "0.02"), folder),
+                Measurement.OfProcess(Runs, "errormatch nc displace --by", Measurement.Errormatch, Displace("--by", "0.02,0.01"), folder),
+                Measurement.OfProcess(Runs, "errormatch nc check", Measurement.Errormatch, ["nc", "check", file, "--dialect", "fanuc"], folder),
             ];
             Console.WriteLine(string.Create(
                 CultureInfo.InvariantCulture, $"{count} blocks, {bytes / 1e6:0.0} MB, {range} displaced, best of {Runs} runs"));

@@ -29,7 +29,7 @@ internal static class PeerBenchmark
             var program = Program(count);
             var file = Path.Combine(folder, "program.ngc");
             File.WriteAllBytes(file, program);
-            var console = TimedConsole.Path;
+            var console = Measurement.Errormatch;
             Console.WriteLine(string.Create(
                 CultureInfo.InvariantCulture, $"{count} blocks, {program.Length / 1e6:0.0} MB, best of {Runs} runs"));
             var reference = Measurement.OfProcess(Runs, "rs274 -g, whole process", peer, ["-g", file], folder);

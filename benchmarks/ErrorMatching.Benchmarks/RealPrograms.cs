@@ -32,7 +32,7 @@ internal static class RealPrograms
             return 1;
         }
 
-        var console = TimedConsole.Path;
+        var console = Measurement.Errormatch;
         var folder = Directory.CreateTempSubdirectory("errormatch-real-").FullName;
         try
         {

@@ -15,7 +15,7 @@ internal static class SurfaceFitTimes
     /// <param name="points">70 or 5000; null for both.</param>
     public static int Run(string? points)
     {
-        var console = TimedConsole.Path;
+        var console = Measurement.Errormatch;
         var folder = Directory.CreateTempSubdirectory("errormatch-").FullName;
         try
         {

@@ -141,7 +141,6 @@ internal sealed class Seat : IAsyncDisposable
     /// <summary>Taps into a field and types, in place of what is there.</summary>
     public Seat Type(string id, string text)
     {
-        See(id);
         User.Click(See(id))
             .Press(Avalonia.Input.Key.A, Avalonia.Input.RawInputModifiers.Control)
             .Press(Avalonia.Input.Key.Delete)

@@ -44,7 +44,7 @@ public sealed class LotThroughMatchTests(ITestOutputHelper output)
     }
 
     // While one piece is measured, the next ones are cut with the program that there is.
-    [Fact(Explicit = true)]
+    [Fact]
     public void Pieces_may_be_measured_late()
     {
         foreach (var delay in new[] { 2, 1, 3 }.Take(Depth.Of(1, 3)))
