@@ -92,6 +92,30 @@ public sealed class StoredPieceTests
         Assert.Null(piece.Result.BandOf("nobody"));
     }
 
+    // The paper's counterpart: 0.35 mm with compensation, 0.51 mm without; of the one as designed it would be 0.14 mm.
+    [Fact]
+    public void A_measured_counterpart_is_not_called_better_or_worse_than_one_that_nobody_cut()
+    {
+        Texts.Current.Language = Language.English;
+        var predicted = StoredPiece.Predicted(Part, SampleReport.Of());
+        Assert.StartsWith("Expected to be better by ", new PieceDetail(predicted, [predicted]).Summary, StringComparison.Ordinal);
+        var result = predicted.Result;
+        var measured = predicted with
+        {
+            Counterpart = Part with { Id = 2 },
+            Result = result with { Points = [.. result.Points.Select(p => p with { Before = p.After, After = p.Before })] },
+        };
+
+        var detail = new PieceDetail(measured, [measured]);
+        Assert.False(measured.TellsImprovement);
+        Assert.StartsWith("Against the counterpart as designed", detail.Summary, StringComparison.Ordinal);
+        Assert.False(detail.IsWorse);
+        Assert.All(detail.Features, f => Assert.Equal((Shown.Nothing, false), (f.Improvement, f.IsWorse)));
+
+        var known = measured with { IsBeforeMeasured = true };
+        Assert.True(new PieceDetail(known, [known]).IsWorse);
+    }
+
     [Fact]
     public void Where_points_stay_outside_as_predicted_a_person_decides_about_the_piece_and_can_change_the_set_up()
     {

@@ -22,6 +22,10 @@ public sealed record StoredPiece(
     /// <summary>True if the counterpart cut with the compensation was measured.</summary>
     public bool IsMeasured => Counterpart is not null;
 
+    /// <summary>True if it is known how much the compensation helps: both counterparts are measured, or both are as designed and
+    /// predicted.</summary>
+    public bool TellsImprovement => IsBeforeMeasured || !IsMeasured;
+
     /// <summary>The number of the last measurement.</summary>
     public long LastId => Counterpart?.Id ?? Correction.Id;
 

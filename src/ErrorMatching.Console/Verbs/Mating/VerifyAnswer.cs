@@ -63,11 +63,11 @@ internal sealed class VerifyAnswer(VerifyReport report, PieceResult piece, strin
                     Show.Mm(f.Wanted),
                     Show.Mm(f.Before),
                     Show.Mm(f.After),
-                    ImprovementWords.Of(f, Show.Percent, "-")]));
+                    report.IsBeforeMeasured ? ImprovementWords.Of(f, Show.Percent, "-") : "-"]));
         page.Line(
             "Lengths in mm, angles in degrees. Wanted is the part's value; deviations are the largest of their points, counterpart - "
                 + "part.");
-        foreach (var sentence in ImprovementWords.Legend(report.Result.Features))
+        foreach (var sentence in report.IsBeforeMeasured ? ImprovementWords.Legend(report.Result.Features) : [])
         {
             page.Line(sentence);
         }

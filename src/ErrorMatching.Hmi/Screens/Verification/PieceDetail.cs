@@ -53,7 +53,9 @@ internal sealed class PieceDetail : Observable
         {
             var (result, texts) = (_piece.Result, Texts.Current);
             var better = result.RmsImprovementPercent;
-            var word = better is null
+            var word = !_piece.TellsImprovement
+                ? "Verdict.AgainstDesigned"
+                : better is null
                 ? "Verdict.Same"
                 : IsWorse
                 ? "Verdict.Worse"
@@ -71,7 +73,7 @@ internal sealed class PieceDetail : Observable
     }
 
     /// <summary>True if the piece is worse than without compensation.</summary>
-    public bool IsWorse => _piece.Result.RmsImprovementPercent < 0;
+    public bool IsWorse => _piece.TellsImprovement && _piece.Result.RmsImprovementPercent < 0;
 
     /// <summary>Whether all errors are within their limits, and which are not; once the counterpart is measured, with the risk.</summary>
     public string Verdict => _piece.Verdict is { } verdict
@@ -272,10 +274,9 @@ internal sealed class PieceDetail : Observable
     private ImprovementRow Row(VerifiedFeature f)
     {
         // Compares the displayed values: a difference that rounds to zero counts as none.
-        var isWorse = f.ImprovementPercent is { } percent && Math.Round(percent) < 0;
-        var improvement = isWorse
-            ? Texts.Current.With("Verify.WorseBy", Shown.Percent(-f.ImprovementPercent))
-            : Shown.Percent(f.ImprovementPercent);
+        var known = _piece.TellsImprovement ? f.ImprovementPercent : null;
+        var isWorse = known is { } percent && Math.Round(percent) < 0;
+        var improvement = isWorse ? Texts.Current.With("Verify.WorseBy", Shown.Percent(-known)) : Shown.Percent(known);
         var (quantity, unit) = (Texts.Current["VerifiedQuantity." + f.Quantity.Word], f.Quantity.Unit);
         if (!f.Quantity.IsDeviation)
         {

@@ -23,7 +23,7 @@ public static class VerifyReportHtml
                             html => PairFigure.Write(html, pair, "the counterpart as both were measured"))]
                     : [],
                 new("summary", "Summary", html => VerifySummary.Write(html, report)),
-                new("features", "Features", html => VerifyTables.WriteFeatures(html, report.Result)),
+                new("features", "Features", html => VerifyTables.WriteFeatures(html, report)),
                 new("pictures", "Before and after", html => VerifyPictures.Write(html, report)),
                 new("points", "Key points", html => VerifyTables.WritePoints(html, report.Result)),
                 new(

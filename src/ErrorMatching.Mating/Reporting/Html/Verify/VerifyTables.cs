@@ -16,8 +16,9 @@ internal static class VerifyTables
             new("along normal", true, "Before - part"), new("X", true, "After - part"), new("Y", true, "After - part"),
             new("along normal", true, "After - part")];
 
-    public static void WriteFeatures(HtmlText html, VerificationResult result)
+    public static void WriteFeatures(HtmlText html, VerifyReport report)
     {
+        var (result, isKnown) = (report.Result, report.IsBeforeMeasured);
         HtmlTable.Write(
             html,
             "features-table",
@@ -34,12 +35,14 @@ internal static class VerifyTables
             row.Number(ReportNumber.Plain(f.After));
             row.Number(ReportNumber.Signed(f.Before - f.Wanted));
             row.Number(ReportNumber.Signed(f.After - f.Wanted));
-            row.Number(ImprovementWords.Of(f, ReportNumber.Percent, ReportNumber.None));
+            row.Number(isKnown ? ImprovementWords.Of(f, ReportNumber.Percent, ReportNumber.None) : ReportNumber.None);
         });
         html.Put(
             "p",
             "Error: found - wanted. Improvement: by how much of the error before the error after is smaller; negative where it grew. "
-                + string.Join(' ', ImprovementWords.Legend(result.Features)),
+                + (isKnown
+                    ? string.Join(' ', ImprovementWords.Legend(result.Features))
+                    : "Before is the counterpart as designed, so it is not known."),
             ("class", "small"));
     }
 
