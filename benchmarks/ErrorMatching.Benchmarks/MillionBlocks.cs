@@ -23,11 +23,12 @@ internal static class MillionBlocks
             var range = $"N{10L * (count / 20 * 9)}..N{(10L * (count / 20 * 11)) - 10}";
             string[] Displace(string how, string by) =>
                 ["nc", "displace", file, "--dialect", "fanuc", "--blocks", range, how, by, "--out", Path.Combine(folder, "moved.nc")];
+            var console = Measurement.Errormatch;
             Measurement[] measured =
             [
-                Measurement.OfProcess(Runs, "errormatch nc displace --normal", Measurement.Errormatch, Displace("--normal", "0.02"), folder),
-                Measurement.OfProcess(Runs, "errormatch nc displace --by", Measurement.Errormatch, Displace("--by", "0.02,0.01"), folder),
-                Measurement.OfProcess(Runs, "errormatch nc check", Measurement.Errormatch, ["nc", "check", file, "--dialect", "fanuc"], folder),
+                Measurement.OfProcess(Runs, "errormatch nc displace --normal", console, Displace("--normal", "0.02"), folder),
+                Measurement.OfProcess(Runs, "errormatch nc displace --by", console, Displace("--by", "0.02,0.01"), folder),
+                Measurement.OfProcess(Runs, "errormatch nc check", console, ["nc", "check", file, "--dialect", "fanuc"], folder),
             ];
             Console.WriteLine(string.Create(
                 CultureInfo.InvariantCulture, $"{count} blocks, {bytes / 1e6:0.0} MB, {range} displaced, best of {Runs} runs"));

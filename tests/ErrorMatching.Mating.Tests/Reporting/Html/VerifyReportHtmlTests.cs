@@ -79,8 +79,8 @@ public sealed class VerifyReportHtmlTests
         Assert.True(verdict.HasClass("fails"));
     }
 
-    // Of the paper's own parts, a counterpart as designed would be 0.14 mm off, the one cut without compensation is 0.51 mm off, and the one
-    // cut with it 0.35: it is neither worse than before, nor is that known without measuring.
+    // In the paper's experiment, a counterpart as designed would be 0.14 mm off, the one cut without compensation is 0.51 mm off, and the
+    // one cut with it 0.35: it is not worse than before, which nobody can tell without measuring.
     [Fact]
     public void Against_a_counterpart_as_designed_nothing_is_said_to_be_better_or_worse()
     {
