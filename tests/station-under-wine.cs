@@ -8,6 +8,8 @@ using System.Runtime.InteropServices;
 //   TITLE tap X Y              one finger
 //   TITLE pinch X Y FROM TO    two fingers left and right of a place; what is between them grows or shrinks from FROM to TO pixels
 //   TITLE dpi VALUE            another scaling, such as 144
+//   TITLE read                 reads the window as a screen reader does: prints of each element its kind, whether it has the focus (1),
+//                              and its name
 var window = FindWindow(null, args[0]);
 if (window == 0)
 {
@@ -43,6 +45,11 @@ switch (args[1])
     case "dpi":
         ChangeDpi(numbers[0]);
         return 0;
+    case "read":
+        Console.OutputEncoding = System.Text.Encoding.UTF8;
+        Check(UiaNodeFromHandle(window, out var node));
+        Read(node, 0);
+        return 0;
     default:
         Console.Error.WriteLine($"{args[1]} is unknown.");
         return 1;
@@ -75,8 +82,46 @@ unsafe void ChangeDpi(int dpi)
     _ = CloseHandle(process);
 }
 
+void Read(nint node, int depth)
+{
+    Console.WriteLine($"{new string(' ', depth)}{Property(node, ControlType)} {Property(node, HasFocus)} {Property(node, Name)}");
+    for (var child = Go(node, FirstChild); child != 0; child = Go(child, NextSibling))
+    {
+        Read(child, depth + 1);
+    }
+}
+
+object? Property(nint node, int property)
+{
+    Check(UiaGetPropertyValue(node, property, out var value));
+    return value is bool isTrue ? Convert.ToInt32(isTrue) : value;
+}
+
+// All elements count, and nothing is wanted of them but themselves.
+unsafe nint Go(nint node, int direction)
+{
+    var all = 0;
+    var request = new Request { Condition = &all, Scope = 1, Mode = 1 };
+    nint found, structure, next;
+    Check(UiaNavigate(node, direction, &all, &request, &found, &structure));
+    Marshal.FreeBSTR(structure);
+    if (found == 0)
+    {
+        return 0;
+    }
+
+    var at = stackalloc int[2];
+    var value = stackalloc byte[24];
+    Check(SafeArrayGetElement(found, at, value));
+    Check(UiaHUiaNodeFromVariant(value, &next));
+    return next;
+}
+
+void Check(int result) => Marshal.ThrowExceptionForHR(result);
+
 internal partial class Program
 {
+    private const int ControlType = 30003, Name = 30005, HasFocus = 30008, NextSibling = 1, FirstChild = 3;
     private const uint Update = 0x245, Down = 0x246, Up = 0x247, DpiChanged = 0x2E0, AllAccess = 0x1FFFFF, Commit = 0x3000, ReadWrite = 4;
 
     [DllImport("user32", EntryPoint = "FindWindowW", CharSet = CharSet.Unicode)]
@@ -90,6 +135,23 @@ internal partial class Program
     [DllImport("kernel32")]
     private static extern unsafe int WriteProcessMemory(nint process, nint at, Rect* from, nuint bytes, nint written);
     [DllImport("kernel32")] private static extern int CloseHandle(nint handle);
+    [DllImport("uiautomationcore")] private static extern int UiaNodeFromHandle(nint window, out nint node);
+    [DllImport("uiautomationcore")] private static extern int UiaGetPropertyValue(nint node, int property, [MarshalAs(UnmanagedType.Struct)] out object? value);
+    [DllImport("uiautomationcore")]
+    private static extern unsafe int UiaNavigate(nint node, int direction, int* condition, Request* request, nint* found, nint* structure);
+    [DllImport("uiautomationcore")] private static extern unsafe int UiaHUiaNodeFromVariant(byte* value, nint* node);
+    [DllImport("oleaut32")] private static extern unsafe int SafeArrayGetElement(nint array, int* at, byte* value);
+
+    // UiaCacheRequest.
+    private unsafe struct Request
+    {
+        public int* Condition;
+        public int Scope;
+        public nint Properties;
+        public int PropertyCount;
+        public nint Patterns;
+        public int PatternCount, Mode;
+    }
 
     private struct Rect
     {

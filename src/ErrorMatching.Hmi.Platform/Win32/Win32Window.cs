@@ -1,5 +1,8 @@
 using Avalonia;
+using Avalonia.Automation.Peers;
+using Avalonia.Automation.Provider;
 using Avalonia.Controls;
+using Avalonia.Controls.ApplicationLifetimes;
 using Avalonia.Input;
 using Avalonia.Input.Raw;
 using Avalonia.Input.TextInput;
@@ -20,7 +23,7 @@ internal sealed unsafe class Win32Window : PlatformWindow
     private Win32Pixels? _pixels;
     private Size _least;
     private nint _cursor = Win32Cursors.Of(StandardCursorType.Arrow);
-    private bool _isShown;
+    private bool _isShown, _isRead;
     private char _high;
 
     /// <summary>Creates a window that is not shown yet.</summary>
@@ -72,6 +75,11 @@ internal sealed unsafe class Win32Window : PlatformWindow
             WindowStateChanged?.Invoke(value);
         }
     }
+
+    // What Avalonia shows in it.
+    private Window? Top => Application.Current?.ApplicationLifetime is IClassicDesktopStyleApplicationLifetime desktop
+        ? desktop.Windows.FirstOrDefault(w => ReferenceEquals(w.PlatformImpl, this))
+        : null;
 
     protected override PixelSize ScreenSize => new(_frame.Monitor.Work.Width, _frame.Monitor.Work.Height);
 
@@ -160,6 +168,12 @@ internal sealed unsafe class Win32Window : PlatformWindow
 
         _pointing.Cancel();
         var window = Window;
+        if (_isRead)
+        {
+            // Nobody who reads the window shall ask it any more.
+            _ = Uia.Return(window, 0, 0, null);
+        }
+
         Window = 0;
         base.Dispose();
         _pixels = null;
@@ -236,6 +250,8 @@ internal sealed unsafe class Win32Window : PlatformWindow
             case Win32Message.DisplayChanged when _frame.IsFull:
                 _frame.Refill();
                 return null;
+            case Win32Message.GetObject when (int)l == Uia.Root && Top is { } top:
+                return OnRead(ControlAutomationPeer.CreatePeerForElement(top), w, l);
             case Win32Message.SetFocus:
                 base.Activate();
                 return 0;
@@ -267,6 +283,24 @@ internal sealed unsafe class Win32Window : PlatformWindow
             default:
                 return _mouse.On(message, w, l) || _pointing.On(message, w, l) ? 0 : null;
         }
+    }
+
+    // A screen reader, or another program that reads windows, asks what is in this one.
+    private nint OnRead(AutomationPeer peer, nint w, nint l)
+    {
+        if (!_isRead && peer.GetProvider<IRootProvider>() is { } root)
+        {
+            _isRead = true;
+            root.FocusChanged += (_, _) =>
+            {
+                if (Window != 0 && Uia.AreClientsListening() != 0 && Win32Element.Of(root.GetFocus(), this) is { } focused)
+                {
+                    _ = Uia.Raise(focused, Uia.FocusChanged);
+                }
+            };
+        }
+
+        return Uia.Return(Window, w, l, Win32Element.Of(peer, this));
     }
 
     private double Scaling(uint dpi) => _scaling * dpi / UsualDpi;

@@ -1,0 +1,187 @@
+using System.Runtime.InteropServices;
+using System.Runtime.InteropServices.Marshalling;
+using Avalonia.Automation;
+using Avalonia.Automation.Peers;
+using Avalonia.Controls;
+using ErrorMatching.Hmi.Platform;
+using ErrorMatching.Hmi.Testing;
+
+namespace ErrorMatching.Hmi.Tests;
+
+/// <summary>What Windows' screen readers learn of controls and do to them, through the interfaces as another program has them: tables of
+/// functions in memory. That they are the system's own, tests/station-under-wine shows from another process.</summary>
+public sealed unsafe class Win32ElementTests
+{
+    private const int Button = 50000, CheckBox = 50002, Edit = 50004, Next = 1, First = 3;
+    private static readonly StrategyBasedComWrappers Wrappers = new();
+
+    [Fact]
+    public Task An_element_has_the_name_and_the_role_of_its_control() => Shown((panel, _) =>
+    {
+        var first = Of<IFragmentProvider>(panel).Navigate(First)!;
+        Assert.Equal(("Approve", Button, "approve"), Said(first));
+        var second = first.Navigate(Next)!;
+        Assert.Equal(("Serial number", Edit, "serial"), Said(second));
+        Assert.Equal(("Serial number", Edit, "serial"), Said(second.Navigate(Next)!.Navigate(2)!));
+        Assert.Null(Last(panel).Navigate(Next));
+        Assert.Equal(50032, Said(first.Navigate(0)!).Role);
+        Assert.Equal(("Password", Edit, "secret"), Said(second.Navigate(Next)!));
+        Assert.Equal(("Dark", CheckBox, "dark"), Said(Last(panel)));
+        Assert.Equal(true, Property(Of<IElementProvider>(panel.Children[0]), Uia.IsEnabled));
+    });
+
+    [Fact]
+    public Task A_button_is_pressed_and_a_disabled_one_refuses() => Shown((panel, _) =>
+    {
+        var button = (Button)panel.Children[0];
+        var pressed = 0;
+        button.Click += (_, _) => pressed++;
+        var element = Of<IElementProvider>(button);
+        ((IInvoked)element.GetPattern(Uia.Invoke)!).Invoke();
+        Assert.Equal(1, pressed);
+        Assert.Null(element.GetPattern(Uia.Value));
+        Assert.Null(element.GetPattern(Uia.Toggle));
+        button.IsEnabled = false;
+        var refused = Assert.Throws<COMException>(() => Of<IInvoked>(button).Invoke());
+
+        // UIA_E_ELEMENTNOTENABLED.
+        Assert.Equal(unchecked((int)0x80040200), refused.HResult);
+        Assert.Equal(1, pressed);
+        Assert.Equal(false, Property(element, Uia.IsEnabled));
+    });
+
+    [Fact]
+    public Task A_text_is_read_and_written_but_no_password_is_read() => Shown((panel, _) =>
+    {
+        var serial = (TextBox)panel.Children[1];
+        Of<IValued>(serial).SetValue("0042");
+        Assert.Equal("0042", serial.Text);
+        serial.Text = "0043 零";
+        Assert.Equal("0043 零", Of<IValued>(serial).GetValue());
+        Assert.Equal(0, Of<IValued>(serial).GetIsReadOnly());
+        Assert.Equal(false, Property(Of<IElementProvider>(serial), Uia.IsPassword));
+
+        var password = (TextBox)panel.Children[2];
+        password.Text = "four words that nobody knows";
+        Assert.Equal("", Of<IValued>(password).GetValue());
+        Assert.Equal(true, Property(Of<IElementProvider>(password), Uia.IsPassword));
+    });
+
+    [Fact]
+    public Task What_is_on_or_off_says_so() => Shown((panel, _) =>
+    {
+        var dark = (CheckBox)panel.Children[3];
+        var element = Of<IToggled>(dark);
+        Assert.Equal(0, element.GetState());
+        element.Toggle();
+        Assert.True(dark.IsChecked);
+        Assert.Equal(1, element.GetState());
+    });
+
+    [Fact]
+    public Task The_window_knows_who_has_the_focus_and_what_is_where() => Shown((panel, window) =>
+    {
+        var root = Of<IFragmentRootProvider>(window);
+        Of<IFragmentProvider>(panel.Children[1]).SetFocus();
+        Assert.True(panel.Children[1].IsKeyboardFocusWithin);
+        Assert.Equal(("Serial number", Edit, "serial"), Said(root.GetFocused()!));
+        Assert.Equal(true, Property(Of<IElementProvider>(panel.Children[1]), Uia.HasFocus));
+
+        var bounds = Of<IFragmentProvider>(panel.Children[3]).GetBounds();
+        Assert.Equal(panel.Children[3].Bounds.Height * window.RenderScaling, bounds.Height, 1.0);
+        var at = root.GetElementAt(bounds.Left + (bounds.Width / 2), bounds.Top + (bounds.Height / 2))!;
+        Assert.Equal("Dark", Said(at).Name);
+        Assert.Null(Of<IFragmentProvider>(window).Navigate(0));
+        Assert.Same(Element(window), Of<IFragmentProvider>(panel.Children[1]).GetRoot());
+    });
+
+    [Fact]
+    public void Each_kind_of_control_has_the_system_s_number()
+    {
+        // UIAutomationClient.h: UIA_ButtonControlTypeId is 50000, and so on.
+        (AutomationControlType, int)[] numbers =
+        [
+            (AutomationControlType.Button, 50000), (AutomationControlType.ComboBox, 50003), (AutomationControlType.Image, 50006),
+            (AutomationControlType.ComboBoxItem, 50007), (AutomationControlType.List, 50008), (AutomationControlType.ProgressBar, 50012),
+            (AutomationControlType.ScrollBar, 50014), (AutomationControlType.Tab, 50018), (AutomationControlType.TabItem, 50019),
+            (AutomationControlType.Text, 50020), (AutomationControlType.TreeItem, 50024), (AutomationControlType.Group, 50026),
+            (AutomationControlType.DataItem, 50029), (AutomationControlType.Document, 50030), (AutomationControlType.Window, 50032),
+            (AutomationControlType.Pane, 50033), (AutomationControlType.Table, 50036), (AutomationControlType.Separator, 50038),
+        ];
+        Assert.All(numbers, n => Assert.Equal(n.Item2, UiaRole.Of(n.Item1)));
+        Assert.All(Enum.GetValues<AutomationControlType>(), t => Assert.InRange(UiaRole.Of(t), 50000, 50038));
+    }
+
+    private static IFragmentProvider Last(Panel panel) => Of<IFragmentProvider>(panel).Navigate(4)!;
+
+    private static (string? Name, int Role, string? Id) Said(IFragmentProvider element) => (
+        (string?)Property((IElementProvider)element, Uia.Name),
+        (int)Property((IElementProvider)element, Uia.ControlType)!,
+        (string?)Property((IElementProvider)element, Uia.Id));
+
+    private static object? Property(IElementProvider element, int property)
+    {
+        ComVariant value;
+        element.GetProperty(property, &value);
+        using (value)
+        {
+            return value.VarType switch
+            {
+                VarEnum.VT_BSTR => value.As<string>(),
+                VarEnum.VT_I4 => value.As<int>(),
+                VarEnum.VT_BOOL => value.As<bool>(),
+                _ => null,
+            };
+        }
+    }
+
+    // The element of a control, seen from outside.
+    private static T Of<T>(Control control)
+    {
+        var outside = Wrappers.GetOrCreateComInterfaceForObject(Element(control), CreateComInterfaceFlags.None);
+        try
+        {
+            return (T)Wrappers.GetOrCreateObjectForComInstance(outside, CreateObjectFlags.UniqueInstance);
+        }
+        finally
+        {
+            Marshal.Release(outside);
+        }
+    }
+
+    private static Win32Element Element(Control control) => Win32Element.Of(
+        ControlAutomationPeer.CreatePeerForElement(control), (PlatformWindow)TopLevel.GetTopLevel(control)!.PlatformImpl!);
+
+    private static Task Shown(Action<Panel, Window> test) => Drawing.Needed().RunAsync(() =>
+    {
+        var panel = new StackPanel
+        {
+            Children =
+            {
+                Named(new Button { Content = "OK" }, "Approve", "approve"),
+                Named(new TextBox(), "Serial number", "serial"),
+                Named(new TextBox { PasswordChar = '●' }, "Password", "secret"),
+                Named(new CheckBox { Content = "Dark" }, "Dark", "dark"),
+            }
+        };
+        AutomationProperties.SetName(panel, "All");
+        var window = new Window { Width = 600, Height = 400, Content = panel };
+        window.Show();
+        try
+        {
+            _ = new ScreenUser(window).Settle();
+            test(panel, window);
+        }
+        finally
+        {
+            window.Close();
+        }
+    });
+
+    private static Control Named(Control control, string name, string id)
+    {
+        AutomationProperties.SetName(control, name);
+        AutomationProperties.SetAutomationId(control, id);
+        return control;
+    }
+}
