@@ -136,7 +136,8 @@ internal partial class Program
     private static extern unsafe int WriteProcessMemory(nint process, nint at, Rect* from, nuint bytes, nint written);
     [DllImport("kernel32")] private static extern int CloseHandle(nint handle);
     [DllImport("uiautomationcore")] private static extern int UiaNodeFromHandle(nint window, out nint node);
-    [DllImport("uiautomationcore")] private static extern int UiaGetPropertyValue(nint node, int property, [MarshalAs(UnmanagedType.Struct)] out object? value);
+    [DllImport("uiautomationcore")]
+    private static extern int UiaGetPropertyValue(nint node, int property, [MarshalAs(UnmanagedType.Struct)] out object? value);
     [DllImport("uiautomationcore")]
     private static extern unsafe int UiaNavigate(nint node, int direction, int* condition, Request* request, nint* found, nint* structure);
     [DllImport("uiautomationcore")] private static extern unsafe int UiaHUiaNodeFromVariant(byte* value, nint* node);

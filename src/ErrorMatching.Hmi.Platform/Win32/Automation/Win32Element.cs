@@ -12,8 +12,8 @@ namespace ErrorMatching.Hmi.Platform;
 /// <summary>What a screen reader learns of one control, from the control's automation peer. It is asked on threads of the system, and
 /// answers on the UI thread.</summary>
 [GeneratedComClass]
-internal sealed partial class Win32Element : IElementProvider, IFragmentProvider, IFragmentRootProvider, IInvoked, IValued, IToggled, IExpanded,
-    ISelected, IBroughtIntoView
+internal sealed partial class Win32Element : IElementProvider, IFragmentProvider, IFragmentRootProvider, IInvoked, IValued, IToggled,
+    IExpanded, ISelected, IBroughtIntoView
 {
     // UIA_E_...
     private const int NotAvailable = unchecked((int)0x80040201), NotEnabled = unchecked((int)0x80040200);
