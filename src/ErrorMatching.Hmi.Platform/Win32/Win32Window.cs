@@ -250,7 +250,7 @@ internal sealed unsafe class Win32Window : PlatformWindow
             case Win32Message.DisplayChanged when _frame.IsFull:
                 _frame.Refill();
                 return null;
-            case Win32Message.GetObject when (int)l == Uia.Root && Top is { } top:
+            case Win32Message.GetObject when (int)l == Uia.Root && Uia.IsThere && Top is { } top:
                 return OnRead(ControlAutomationPeer.CreatePeerForElement(top), w, l);
             case Win32Message.SetFocus:
                 base.Activate();
@@ -293,7 +293,7 @@ internal sealed unsafe class Win32Window : PlatformWindow
             _isRead = true;
             root.FocusChanged += (_, _) =>
             {
-                if (Window != 0 && Uia.AreClientsListening() != 0 && Win32Element.Of(root.GetFocus(), this) is { } focused)
+                if (Window != 0 && Uia.AreClientsListening() != 0 && Win32Element.Focused(root, this) is { } focused)
                 {
                     _ = Uia.Raise(focused, Uia.FocusChanged);
                 }

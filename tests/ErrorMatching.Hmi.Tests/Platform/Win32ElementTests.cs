@@ -13,10 +13,14 @@ namespace ErrorMatching.Hmi.Tests;
 public sealed unsafe class Win32ElementTests
 {
     private const int Button = 50000, CheckBox = 50002, Edit = 50004, Next = 1, First = 3;
+
+    // UIA_E_ELEMENTNOTENABLED, UIA_E_ELEMENTNOTAVAILABLE and E_INVALIDARG.
+    private const int NotEnabled = unchecked((int)0x80040200), NotAvailable = unchecked((int)0x80040201);
+    private const int Invalid = unchecked((int)0x80070057);
     private static readonly StrategyBasedComWrappers Wrappers = new();
 
     [Fact]
-    public Task An_element_has_the_name_and_the_role_of_its_control() => Shown((panel, _) =>
+    public Task An_element_has_the_name_and_the_role_of_its_control() => Shown((panel, _, _) =>
     {
         var first = Of<IFragmentProvider>(panel).Navigate(First)!;
         Assert.Equal(("Approve", Button, "approve"), Said(first));
@@ -31,27 +35,33 @@ public sealed unsafe class Win32ElementTests
     });
 
     [Fact]
-    public Task A_button_is_pressed_and_a_disabled_one_refuses() => Shown((panel, _) =>
+    public Task A_button_is_pressed_and_a_disabled_one_refuses() => Shown((panel, _, user) =>
     {
         var button = (Button)panel.Children[0];
         var pressed = 0;
         button.Click += (_, _) => pressed++;
         var element = Of<IElementProvider>(button);
         ((IInvoked)element.GetPattern(Uia.Invoke)!).Invoke();
+
+        // It is done as the next input.
+        Assert.Equal(0, pressed);
+        user.Settle();
         Assert.Equal(1, pressed);
         Assert.Null(element.GetPattern(Uia.Value));
         Assert.Null(element.GetPattern(Uia.Toggle));
+        Of<IInvoked>(button).Invoke();
         button.IsEnabled = false;
-        var refused = Assert.Throws<COMException>(() => Of<IInvoked>(button).Invoke());
-
-        // UIA_E_ELEMENTNOTENABLED.
-        Assert.Equal(unchecked((int)0x80040200), refused.HResult);
+        user.Settle();
         Assert.Equal(1, pressed);
+        Refuses(NotEnabled, () => Of<IInvoked>(button).Invoke());
         Assert.Equal(false, Property(element, Uia.IsEnabled));
+        button.IsEnabled = true;
+        button.IsVisible = false;
+        Refuses(NotEnabled, () => Of<IInvoked>(button).Invoke());
     });
 
     [Fact]
-    public Task A_text_is_read_and_written_but_no_password_is_read() => Shown((panel, _) =>
+    public Task A_text_is_read_and_written_but_no_password_is_read() => Shown((panel, _, _) =>
     {
         var serial = (TextBox)panel.Children[1];
         Of<IValued>(serial).SetValue("0042");
@@ -60,26 +70,73 @@ public sealed unsafe class Win32ElementTests
         Assert.Equal("0043 零", Of<IValued>(serial).GetValue());
         Assert.Equal(0, Of<IValued>(serial).GetIsReadOnly());
         Assert.Equal(false, Property(Of<IElementProvider>(serial), Uia.IsPassword));
+        serial.MaxLength = 8;
+        Refuses(Invalid, () => Of<IValued>(serial).SetValue("012345678"));
+        serial.IsReadOnly = true;
+        Refuses(NotEnabled, () => Of<IValued>(serial).SetValue("1"));
+        serial.IsReadOnly = false;
+        panel.IsEnabled = false;
+        Refuses(NotEnabled, () => Of<IValued>(serial).SetValue("1"));
+        Assert.Equal("0043 零", serial.Text);
+        panel.IsEnabled = true;
 
         var password = (TextBox)panel.Children[2];
         password.Text = "four words that nobody knows";
         Assert.Equal("", Of<IValued>(password).GetValue());
         Assert.Equal(true, Property(Of<IElementProvider>(password), Uia.IsPassword));
+        Assert.Equal(("Password", Edit, "secret"), Said(Of<IFragmentProvider>(password)));
+        Assert.Null(Of<IFragmentProvider>(password).Navigate(First));
     });
 
     [Fact]
-    public Task What_is_on_or_off_says_so() => Shown((panel, _) =>
+    public Task What_is_on_or_off_says_so() => Shown((panel, _, user) =>
     {
         var dark = (CheckBox)panel.Children[3];
         var element = Of<IToggled>(dark);
         Assert.Equal(0, element.GetState());
         element.Toggle();
+        user.Settle();
         Assert.True(dark.IsChecked);
         Assert.Equal(1, element.GetState());
     });
 
     [Fact]
-    public Task The_window_knows_who_has_the_focus_and_what_is_where() => Shown((panel, window) =>
+    public Task A_choice_opens_and_takes_one_but_not_while_it_is_disabled() => Shown((panel, _, user) =>
+    {
+        var choice = new ComboBox { ItemsSource = new[] { "line", "curve" } };
+        panel.Children.Add(choice);
+        user.Settle();
+        var element = Of<IExpanded>(choice);
+        Assert.Equal(0, element.GetState());
+        element.Expand();
+        user.Settle();
+        Assert.Equal(1, element.GetState());
+        var curve = (ComboBoxItem)choice.ContainerFromIndex(1)!;
+        choice.IsEnabled = false;
+        Refuses(NotEnabled, () => Of<ISelected>(curve).Select());
+        Refuses(NotEnabled, element.Collapse);
+        choice.IsEnabled = true;
+        Of<ISelected>(curve).Select();
+        user.Settle();
+        Assert.Equal(1, choice.SelectedIndex);
+        Assert.Equal(1, Of<ISelected>(curve).GetIsSelected());
+    });
+
+    [Fact]
+    public Task What_is_gone_says_and_does_nothing_any_more() => Shown((panel, _, user) =>
+    {
+        var (serial, element) = ((TextBox)panel.Children[1], Of<IValued>(panel.Children[1]));
+        serial.Text = "0042";
+        panel.Children.Remove(serial);
+        user.Settle();
+        Refuses(NotAvailable, () => element.GetValue());
+        Refuses(NotAvailable, () => element.SetValue("0043"));
+        Refuses(NotAvailable, () => Said((IFragmentProvider)element));
+        Assert.Equal("0042", serial.Text);
+    });
+
+    [Fact]
+    public Task The_window_knows_who_has_the_focus_and_what_is_where() => Shown((panel, window, _) =>
     {
         var root = Of<IFragmentRootProvider>(window);
         Of<IFragmentProvider>(panel.Children[1]).SetFocus();
@@ -110,7 +167,19 @@ public sealed unsafe class Win32ElementTests
         ];
         Assert.All(numbers, n => Assert.Equal(n.Item2, UiaRole.Of(n.Item1)));
         Assert.All(Enum.GetValues<AutomationControlType>(), t => Assert.InRange(UiaRole.Of(t), 50000, 50038));
+        Assert.Equal([AutomationControlType.Custom], Enum.GetValues<AutomationControlType>().Where(t => UiaRole.Of(t) == 50025));
+
+        // ExpandCollapseState_Collapsed, _Expanded, _PartiallyExpanded and _LeafNode.
+        Assert.Equal(
+            [0, 1, 2, 3],
+            new[]
+            {
+                ExpandCollapseState.Collapsed, ExpandCollapseState.Expanded, ExpandCollapseState.PartiallyExpanded,
+                ExpandCollapseState.LeafNode
+            }.Select(UiaRole.Of));
     }
+
+    private static void Refuses(int code, Action act) => Assert.Equal(code, Assert.ThrowsAny<Exception>(act).HResult);
 
     private static IFragmentProvider Last(Panel panel) => Of<IFragmentProvider>(panel).Navigate(4)!;
 
@@ -152,7 +221,7 @@ public sealed unsafe class Win32ElementTests
     private static Win32Element Element(Control control) => Win32Element.Of(
         ControlAutomationPeer.CreatePeerForElement(control), (PlatformWindow)TopLevel.GetTopLevel(control)!.PlatformImpl!);
 
-    private static Task Shown(Action<Panel, Window> test) => Drawing.Needed().RunAsync(() =>
+    private static Task Shown(Action<Panel, Window, ScreenUser> test) => Drawing.Needed().RunAsync(() =>
     {
         var panel = new StackPanel
         {
@@ -169,8 +238,7 @@ public sealed unsafe class Win32ElementTests
         window.Show();
         try
         {
-            _ = new ScreenUser(window).Settle();
-            test(panel, window);
+            test(panel, window, new ScreenUser(window).Settle());
         }
         finally
         {

@@ -12,11 +12,14 @@ internal static partial class Uia
 
     public const int Invoke = 10000, Value = 10002, ExpandCollapse = 10005, SelectionItem = 10010, Toggle = 10015, ScrollItem = 10017;
 
-    public const int ProcessId = 30002, ControlType = 30003, LocalizedControlType = 30004, Name = 30005, HasFocus = 30008,
+    public const int ProcessId = 30002, ControlType = 30003, Name = 30005, HasFocus = 30008,
         IsFocusable = 30009, IsEnabled = 30010, Id = 30011, ClassName = 30012, Help = 30013, IsControl = 30016, IsContent = 30017,
         IsPassword = 30019, IsOffscreen = 30022, Framework = 30024, ItemStatus = 30026;
 
     private const string Library = "uiautomationcore";
+
+    /// <summary>False where the system has no UI Automation.</summary>
+    public static bool IsThere { get; } = NativeLibrary.TryLoad(Library, out _);
 
     [LibraryImport(Library, EntryPoint = "UiaReturnRawElementProvider")]
     public static partial nint Return(nint window, nint w, nint l, IElementProvider? provider);

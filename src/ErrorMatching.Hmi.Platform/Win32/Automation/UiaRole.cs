@@ -1,11 +1,12 @@
+using Avalonia.Automation;
 using Avalonia.Automation.Peers;
 
 namespace ErrorMatching.Hmi.Platform;
 
-/// <summary>The kinds of controls of UI Automation (UIA_..ControlTypeId).</summary>
+/// <summary>The numbers that UI Automation has for kinds of controls (UIA_..ControlTypeId) and for what opens.</summary>
 internal static class UiaRole
 {
-    private const int First = 50000, Custom = 50025, Group = 50026, ListItem = 50007;
+    private const int First = 50000, Custom = 50025, Group = 50026, ListItem = 50007, Pane = 50033;
 
     // In the order of their numbers, from 50000 on.
     private static readonly AutomationControlType[] InOrder =
@@ -25,9 +26,19 @@ internal static class UiaRole
     /// <summary>The number of a kind.</summary>
     public static int Of(AutomationControlType kind) => kind switch
     {
-        AutomationControlType.None => Custom,
+        AutomationControlType.None => Group,
+        AutomationControlType.ScrollViewer => Pane,
         AutomationControlType.ComboBoxItem => ListItem,
         AutomationControlType.Expander => Group,
         _ => Array.IndexOf(InOrder, kind) is >= 0 and var at ? First + at : Custom,
+    };
+
+    /// <summary>The number of a state of what opens, which Avalonia counts in another order.</summary>
+    public static int Of(ExpandCollapseState state) => state switch
+    {
+        ExpandCollapseState.Collapsed => 0,
+        ExpandCollapseState.Expanded => 1,
+        ExpandCollapseState.PartiallyExpanded => 2,
+        _ => 3,
     };
 }

@@ -2,6 +2,7 @@ using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.InteropServices.Marshalling;
 using Avalonia;
+using Avalonia.Automation;
 using Avalonia.Automation.Peers;
 using Avalonia.Automation.Provider;
 using Avalonia.Controls;
@@ -18,6 +19,9 @@ internal sealed partial class Win32Element : IElementProvider, IFragmentProvider
     // UIA_E_...
     private const int NotAvailable = unchecked((int)0x80040201), NotEnabled = unchecked((int)0x80040200);
 
+    // E_INVALIDARG.
+    private const int Invalid = unchecked((int)0x80070057);
+
     // ProviderOptions_ServerSideProvider; UiaAppendRuntimeId.
     private const int InThisProcess = 2, BelowWindow = 3;
     private static readonly ConditionalWeakTable<AutomationPeer, Win32Element> Known = [];
@@ -28,12 +32,22 @@ internal sealed partial class Win32Element : IElementProvider, IFragmentProvider
 
     private Win32Element(AutomationPeer peer, PlatformWindow window) => (_peer, _window) = (peer, window);
 
+    private bool IsPassword => _peer is ControlAutomationPeer { Owner: TextBox { PasswordChar: not '\0' } };
+
+    private AutomationPeer? Container => _peer.GetProvider<ISelectionItemProvider>()?.SelectionContainer as AutomationPeer;
+
+    // The list of a box that opens is shown apart from it, and enabled by itself.
+    private bool CanAct => _peer.IsEnabled() && !_peer.IsOffscreen() && Container?.IsEnabled() != false;
+
     private bool IsRoot => _peer.GetProvider<IRootProvider>() is not null;
 
     /// <summary>The element of a peer: always the same one.</summary>
     [return: System.Diagnostics.CodeAnalysis.NotNullIfNotNull(nameof(peer))]
     public static Win32Element? Of(AutomationPeer? peer, PlatformWindow window) =>
         peer is null ? null : Known.GetValue(peer, p => new(p, window));
+
+    /// <summary>The element that has the focus.</summary>
+    public static Win32Element? Focused(IRootProvider? root, PlatformWindow window) => Of(Nearest(root?.GetFocus()), window);
 
     public int GetOptions() => InThisProcess;
 
@@ -63,7 +77,6 @@ internal sealed partial class Win32Element : IElementProvider, IFragmentProvider
     {
         Uia.ProcessId => ComVariant.Create(Environment.ProcessId),
         Uia.ControlType => ComVariant.Create(UiaRole.Of(_peer.GetAutomationControlType())),
-        Uia.LocalizedControlType => Text(_peer.GetLocalizedControlType()),
         Uia.Name => Text(_peer.GetName()),
         Uia.Help => Text(_peer.GetHelpText()),
         Uia.Id => Text(_peer.GetAutomationId()),
@@ -114,57 +127,60 @@ internal sealed partial class Win32Element : IElementProvider, IFragmentProvider
 
     public void SetFocus() => On(_peer.SetFocus);
 
-    public IFragmentRootProvider GetRoot() => On(() => Of(_peer.GetVisualRoot() ?? _peer, _window));
+    public IFragmentRootProvider GetRoot() => On(() => Of(IsRoot ? _peer : _peer.GetVisualRoot()!, _window));
 
     public IFragmentProvider? GetElementAt(double x, double y) => On<IFragmentProvider?>(() =>
     {
-        var peer = _peer.GetProvider<IRootProvider>()?.GetPeerFromPoint(_window.PointToClient(new PixelPoint((int)x, (int)y)));
-        return Of(peer is null || peer.IsControlElement() ? peer : Around(peer), _window);
+        var at = _window.PointToClient(new PixelPoint((int)Math.Floor(x), (int)Math.Floor(y)));
+        return Of(Nearest(_peer.GetProvider<IRootProvider>()?.GetPeerFromPoint(at)), _window);
     });
 
-    public IFragmentProvider? GetFocused() => On<IFragmentProvider?>(() => Of(_peer.GetProvider<IRootProvider>()?.GetFocus(), _window));
+    public IFragmentProvider? GetFocused() => On<IFragmentProvider?>(() => Focused(_peer.GetProvider<IRootProvider>(), _window));
 
-    public void Invoke() => On(() =>
+    public void Invoke() => Act<IInvokeProvider>(p => p.Invoke());
+
+    public void SetValue(string value) => On(() =>
     {
-        if (!_peer.IsEnabled())
+        var text = Do<IValueProvider>();
+        if (!_peer.IsEnabled() || text.IsReadOnly)
         {
-            throw Marshal.GetExceptionForHR(NotEnabled)!;
+            throw Refused(NotEnabled);
         }
 
-        Do<IInvokeProvider>().Invoke();
-    });
+        if (_peer is ControlAutomationPeer { Owner: TextBox { MaxLength: > 0 and var most } } && value.Length > most)
+        {
+            throw Refused(Invalid);
+        }
 
-    public void SetValue(string value) => On(() => Do<IValueProvider>().SetValue(value));
+        text.SetValue(value);
+    });
 
     // What a password is, nobody is told.
     public string GetValue() => On(() => IsPassword ? "" : Do<IValueProvider>().Value ?? "");
 
     public int GetIsReadOnly() => On(() => Number(Do<IValueProvider>().IsReadOnly));
 
-    public void Toggle() => On(() => Do<IToggleProvider>().Toggle());
+    public void Toggle() => Act<IToggleProvider>(p => p.Toggle());
 
     int IToggled.GetState() => On(() => (int)Do<IToggleProvider>().ToggleState);
 
-    public void Expand() => On(() => Do<IExpandCollapseProvider>().Expand());
+    public void Expand() => Act<IExpandCollapseProvider>(p => p.Expand());
 
-    public void Collapse() => On(() => Do<IExpandCollapseProvider>().Collapse());
+    public void Collapse() => Act<IExpandCollapseProvider>(p => p.Collapse());
 
-    int IExpanded.GetState() => On(() => (int)Do<IExpandCollapseProvider>().ExpandCollapseState);
+    int IExpanded.GetState() => On(() => UiaRole.Of(Do<IExpandCollapseProvider>().ExpandCollapseState));
 
-    public void Select() => On(() => Do<ISelectionItemProvider>().Select());
+    public void Select() => Act<ISelectionItemProvider>(p => p.Select());
 
-    public void Add() => On(() => Do<ISelectionItemProvider>().AddToSelection());
+    public void Add() => Act<ISelectionItemProvider>(p => p.AddToSelection());
 
-    public void Remove() => On(() => Do<ISelectionItemProvider>().RemoveFromSelection());
+    public void Remove() => Act<ISelectionItemProvider>(p => p.RemoveFromSelection());
 
     public int GetIsSelected() => On(() => Number(Do<ISelectionItemProvider>().IsSelected));
 
-    public IElementProvider? GetContainer() => On<IElementProvider?>(() =>
-        Of(Do<ISelectionItemProvider>().SelectionContainer as AutomationPeer, _window));
+    public IElementProvider? GetContainer() => On<IElementProvider?>(() => Of(Container, _window));
 
     public void BringIntoView() => On(_peer.BringIntoView);
-
-    private bool IsPassword => _peer is ControlAutomationPeer { Owner: TextBox { PasswordChar: not '\0' } };
 
     private static int Number(bool value) => value ? 1 : 0;
 
@@ -174,20 +190,45 @@ internal sealed partial class Win32Element : IElementProvider, IFragmentProvider
     private static IEnumerable<AutomationPeer> Below(AutomationPeer peer) =>
         peer.GetChildren().SelectMany(p => p.IsControlElement() ? [p] : Below(p));
 
-    private static AutomationPeer? Around(AutomationPeer peer)
+    private static AutomationPeer? Around(AutomationPeer peer) => Nearest(peer.GetParent());
+
+    private static AutomationPeer? Nearest(AutomationPeer? peer)
     {
-        var around = peer.GetParent();
-        while (around?.IsControlElement() == false)
+        while (peer?.IsControlElement() == false)
         {
-            around = around.GetParent();
+            peer = peer.GetParent();
         }
 
-        return around;
+        return peer;
     }
+
+    // Without what the thread was told of another error.
+    private static Exception Refused(int code) => Marshal.GetExceptionForHR(code, -1)!;
 
     private bool Can<T>() => _peer.GetProvider<T>() is not null;
 
     private T Do<T>() => _peer.GetProvider<T>() ?? throw new InvalidOperationException("The control cannot do this.");
+
+    // Only what somebody at the screen could do now. It is done afterwards, as another input: the other program does not wait for it, and
+    // an error in it is an error of the station.
+    private void Act<T>(Action<T> act) => On(() =>
+    {
+        var provider = Do<T>();
+        if (!CanAct)
+        {
+            throw Refused(NotEnabled);
+        }
+
+        Dispatcher.UIThread.Post(
+            () =>
+            {
+                if (CanAct)
+                {
+                    act(provider);
+                }
+            },
+            DispatcherPriority.Input);
+    });
 
     private void On(Action act) => _ = On(() =>
     {
@@ -197,12 +238,23 @@ internal sealed partial class Win32Element : IElementProvider, IFragmentProvider
 
     private T On<T>(Func<T> answer)
     {
-        if (_window is Win32Window { Window: 0 })
+        try
         {
-            throw Marshal.GetExceptionForHR(NotAvailable)!;
+            // Before all else: the other program waits, and the station's own input may never pause.
+            return Dispatcher.UIThread.CheckAccess() ? Answer() : Dispatcher.UIThread.Invoke(Answer, DispatcherPriority.Send);
+        }
+        catch (ElementNotEnabledException)
+        {
+            throw Refused(NotEnabled);
+        }
+        catch (OperationCanceledException)
+        {
+            throw Refused(NotAvailable);
         }
 
-        // Before all else: the other program waits, and the station's own input may never pause.
-        return Dispatcher.UIThread.CheckAccess() ? answer() : Dispatcher.UIThread.Invoke(answer, DispatcherPriority.Send);
+        // A control that is no longer shown, such as that of a screen before somebody signed out, answers nothing any more.
+        T Answer() => _window is Win32Window { Window: 0 } || (!IsRoot && _peer.GetVisualRoot() is null)
+            ? throw Refused(NotAvailable)
+            : answer();
     }
 }
