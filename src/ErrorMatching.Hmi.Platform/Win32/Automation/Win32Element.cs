@@ -2,7 +2,6 @@ using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.InteropServices.Marshalling;
 using Avalonia;
-using Avalonia.Automation;
 using Avalonia.Automation.Peers;
 using Avalonia.Automation.Provider;
 using Avalonia.Controls;
@@ -142,7 +141,7 @@ internal sealed partial class Win32Element : IElementProvider, IFragmentProvider
     public void SetValue(string value) => On(() =>
     {
         var text = Do<IValueProvider>();
-        if (!_peer.IsEnabled() || text.IsReadOnly)
+        if (!CanAct || text.IsReadOnly)
         {
             throw Refused(NotEnabled);
         }
@@ -242,10 +241,6 @@ internal sealed partial class Win32Element : IElementProvider, IFragmentProvider
         {
             // Before all else: the other program waits, and the station's own input may never pause.
             return Dispatcher.UIThread.CheckAccess() ? Answer() : Dispatcher.UIThread.Invoke(Answer, DispatcherPriority.Send);
-        }
-        catch (ElementNotEnabledException)
-        {
-            throw Refused(NotEnabled);
         }
         catch (OperationCanceledException)
         {
