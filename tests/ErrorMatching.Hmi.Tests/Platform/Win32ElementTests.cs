@@ -3,6 +3,7 @@ using System.Runtime.InteropServices.Marshalling;
 using Avalonia.Automation;
 using Avalonia.Automation.Peers;
 using Avalonia.Controls;
+using ErrorMatching.Cell;
 using ErrorMatching.Hmi.Platform;
 using ErrorMatching.Hmi.Testing;
 
@@ -133,6 +134,26 @@ public sealed unsafe class Win32ElementTests
         Refuses(NotAvailable, () => element.SetValue("0043"));
         Refuses(NotAvailable, () => Said((IFragmentProvider)element));
         Assert.Equal("0042", serial.Text);
+    });
+
+    [Fact]
+    public Task Nothing_behind_a_question_can_be_pressed() => Seat.AtAsync(seat =>
+    {
+        seat.Cell.Run();
+        seat.Cell.Deliver(1, 0);
+        seat.WaitFor(1, CorrectionState.Proposed);
+        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("points");
+        var (approve, leave) = (seat.See("approve"), seat.See("sign-out"));
+        seat.WaitFor(() => approve.IsEffectivelyEnabled, "Nothing can be approved.");
+        Assert.Equal(true, Property(Of<IElementProvider>(leave), Uia.IsEnabled));
+        Of<IInvoked>(approve).Invoke();
+        seat.WaitFor(() => seat.Find("signing-password") is not null, "Nobody asks for a signature.");
+        Assert.Equal(false, Property(Of<IElementProvider>(leave), Uia.IsEnabled));
+        Refuses(NotEnabled, () => Of<IInvoked>(leave).Invoke());
+        Refuses(NotEnabled, () => Of<IInvoked>(approve).Invoke());
+        seat.User.Settle();
+        Assert.False(seat.Shell.IsLocked);
+        Assert.Equal(CorrectionState.Proposed, seat.Station.Store.Find(1)!.State);
     });
 
     [Fact]
