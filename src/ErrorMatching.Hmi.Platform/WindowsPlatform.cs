@@ -22,8 +22,13 @@ public static class WindowsPlatform
             () =>
             {
                 _ = User32.SetProcessDpiAwarenessContext(PerMonitor);
+                var settings = new Win32Settings();
                 Windowing.Initialize(
-                    new DispatcherRenderTimer(), () => new Win32Window(scaling), new Win32Clipboard(), new Win32Dispatcher());
+                    new DispatcherRenderTimer(),
+                    () => new Win32Window(scaling, settings),
+                    new Win32Clipboard(),
+                    new Win32Dispatcher(),
+                    settings);
             },
             "Win32");
     }

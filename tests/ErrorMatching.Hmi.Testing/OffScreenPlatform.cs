@@ -10,5 +10,10 @@ public static class OffScreenPlatform
     /// <exception cref="PlatformNotSupportedException">A native library is missing; the message names the packages to install.</exception>
     public static AppBuilder UseOffScreen(this AppBuilder builder) => builder.UseSkia()
         .UseWindowingSubsystem(
-            () => Windowing.Initialize(OffScreenClock.Current, () => new OffScreenWindow(), new MemoryClipboard()), "off-screen");
+            () => Windowing.Initialize(
+                OffScreenClock.Current,
+                () => new OffScreenWindow(),
+                new MemoryClipboard(),
+                settings: OffScreenSettings.Current),
+            "off-screen");
 }

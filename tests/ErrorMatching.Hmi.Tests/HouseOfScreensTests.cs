@@ -1,8 +1,13 @@
 using System.Reflection;
 using System.Text.RegularExpressions;
 using Avalonia;
+using Avalonia.Controls;
 using Avalonia.Media;
+using Avalonia.Platform;
 using Avalonia.Styling;
+using Avalonia.VisualTree;
+using ErrorMatching.Hmi.Platform;
+using ErrorMatching.Hmi.Testing;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
@@ -10,7 +15,7 @@ namespace ErrorMatching.Hmi.Tests;
 /// <summary>What holds of all screens.</summary>
 public sealed partial class HouseOfScreensTests
 {
-    private const double LeastContrast = 4.5;
+    private const double LeastContrast = 4.5, HighContrast = 7;
 
     private static readonly (string Ink, string Ground)[] Read =
     [
@@ -118,6 +123,68 @@ public sealed partial class HouseOfScreensTests
                 $"{r.Ink} on {r.Ground}: {Contrast(Color(r.Ink), Color(r.Ground)):0.00}"));
 
         Color Color(string key) => Of(key, theme);
+    });
+
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public Task With_high_contrast_everything_stands_out(bool isDark) => Drawing.Needed().RunAsync(() =>
+    {
+        var theme = isDark ? ErrorMatching.Hmi.Contrast.Dark : ErrorMatching.Hmi.Contrast.Light;
+        Assert.All<(string Ink, string Ground)>(
+            [.. Read, ("Line", "Surface"), ("Line", "Ground"), ("TabItemHeaderForegroundUnselected", "Ground")],
+            r => Assert.True(
+                Contrast(Color(r.Ink), Color(r.Ground)) >= HighContrast,
+                $"{r.Ink} on {r.Ground}: {Contrast(Color(r.Ink), Color(r.Ground)):0.00}"));
+
+        Color Color(string key) => Of(key, theme);
+    });
+
+    [Fact]
+    public Task High_contrast_of_the_system_goes_before_the_theme_of_the_user() => Seat.AtAsync(seat =>
+    {
+        var system = OffScreenSettings.Current;
+        try
+        {
+            Assert.Equal(ThemeVariant.Light, seat.Window.ActualThemeVariant);
+            system.Choose(ColorContrastPreference.High, PlatformThemeVariant.Dark);
+            Assert.Equal(ErrorMatching.Hmi.Contrast.Dark, seat.Window.ActualThemeVariant);
+            Assert.Equal(Of("Ground", ErrorMatching.Hmi.Contrast.Dark), ((ISolidColorBrush)seat.Window.Background!).Color);
+            seat.Shell.IsDark = true;
+            system.Choose(ColorContrastPreference.High, PlatformThemeVariant.Light);
+            Assert.Equal(ErrorMatching.Hmi.Contrast.Light, seat.Window.ActualThemeVariant);
+        }
+        finally
+        {
+            system.Choose(ColorContrastPreference.NoPreference, PlatformThemeVariant.Light);
+        }
+
+        Assert.Equal(ThemeVariant.Dark, seat.Window.ActualThemeVariant);
+    });
+
+    [Fact]
+    public Task Without_animations_nothing_changes_gradually() => Seat.AtAsync(seat =>
+    {
+        seat.SignIn(DemoCell.Setter).Tap("nav-overview");
+        var gradual = Gradual();
+        Assert.NotEmpty(gradual);
+        Application.Current!.Styles.Add(Win32Settings.Still);
+        try
+        {
+            seat.User.Settle();
+            Assert.Empty(Gradual());
+        }
+        finally
+        {
+            Assert.True(Application.Current.Styles.Remove(Win32Settings.Still));
+        }
+
+        seat.User.Settle();
+        Assert.Equal(gradual.Length, Gradual().Length);
+
+        // What is hidden gets its styles when it is shown.
+        Control[] Gradual() =>
+            [.. seat.Window.GetVisualDescendants().OfType<Control>().Where(c => c.IsEffectivelyVisible && c.Transitions is { Count: > 0 })];
     });
 
     [Theory]

@@ -20,6 +20,9 @@ internal static unsafe partial class User32
     /// <summary>For <see cref="SetWindowLong"/>: the style.</summary>
     public const int Style = -16;
 
+    /// <summary>For <see cref="GetParameter"/>: <see cref="HighContrast"/>, and whether things move by themselves (a BOOL).</summary>
+    public const uint GetHighContrast = 0x42, GetAnimation = 0x1042;
+
     private const string Library = "user32";
 
     [LibraryImport(Library, EntryPoint = "RegisterClassExW")] public static partial ushort RegisterClass(WindowClass* description);
@@ -84,6 +87,9 @@ internal static unsafe partial class User32
     [LibraryImport(Library)] public static partial nint MonitorFromWindow(nint window, uint otherwise);
     [LibraryImport(Library, EntryPoint = "GetMonitorInfoW")] public static partial int GetMonitorInfo(nint monitor, Monitor* info);
     [LibraryImport(Library)] public static partial int GetPointerType(uint pointer, int* type);
+    [LibraryImport(Library)] public static partial uint GetSysColor(int index);
+    [LibraryImport(Library, EntryPoint = "SystemParametersInfoW")]
+    public static partial int GetParameter(uint which, uint bytes, void* value, uint changes);
     [LibraryImport(Library)] public static partial int OpenClipboard(nint window);
     [LibraryImport(Library)] public static partial int CloseClipboard();
     [LibraryImport(Library)] public static partial int EmptyClipboard();
@@ -170,5 +176,13 @@ internal static unsafe partial class User32
         public uint Flags;
         public nint Window;
         public uint Hover;
+    }
+
+    /// <summary>HIGHCONTRASTW.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public struct HighContrast
+    {
+        public uint Bytes, Flags;
+        public char* Scheme;
     }
 }

@@ -1,10 +1,11 @@
 using Avalonia;
 using Avalonia.Input.TextInput;
+using Avalonia.Threading;
 
 namespace ErrorMatching.Hmi.Platform;
 
 /// <summary>The system's input method in one window (IMM32): text is composed in the field itself, and candidates are beside its
-/// caret.</summary>
+/// caret. A finger on a field brings the touch keyboard, which goes when no field has the focus any more.</summary>
 /// <param name="window">The window.</param>
 internal sealed unsafe class Win32InputMethod(Win32Window window) : ITextInputMethodImpl
 {
@@ -13,6 +14,8 @@ internal sealed unsafe class Win32InputMethod(Win32Window window) : ITextInputMe
     private const long ShowsComposition = 0x80000000;
     private TextInputMethodClient? _client;
     private Rect _caret;
+    private Win32TouchKeyboard? _keyboard;
+    private bool _isKeyboardSought;
 
     /// <summary>Keys outside of text fields are commands, or a scanner's code: they must not begin a composition.</summary>
     public void TurnOff() => _ = Imm32.ImmAssociateContextEx(window.Window, 0, 0);
@@ -22,16 +25,30 @@ internal sealed unsafe class Win32InputMethod(Win32Window window) : ITextInputMe
         if (!ReferenceEquals(_client, client))
         {
             Reset();
+            _client?.InputPaneActivationRequested -= OnTappedAgain;
             _client = client;
             if (client is null)
             {
                 TurnOff();
+
+                // Between two fields, no field has the focus for a moment.
+                Dispatcher.UIThread.Post(PutAwayKeyboard, DispatcherPriority.Background);
             }
             else
             {
+                client.InputPaneActivationRequested += OnTappedAgain;
                 _ = Imm32.ImmAssociateContextEx(window.Window, 0, DefaultContext);
+                BringKeyboard();
             }
         }
+    }
+
+    /// <summary>Ends its use, before the window goes.</summary>
+    public void Close()
+    {
+        SetClient(null);
+        _keyboard?.Leave();
+        (_keyboard, _isKeyboardSought) = (null, true);
     }
 
     public void SetCursorRect(Rect rect)
@@ -92,6 +109,31 @@ internal sealed unsafe class Win32InputMethod(Win32Window window) : ITextInputMe
         }
 
         return new(text);
+    }
+
+    private void OnTappedAgain(object? sender, EventArgs e) => BringKeyboard();
+
+    private void BringKeyboard()
+    {
+        if (!window.IsByFinger)
+        {
+            return;
+        }
+
+        if (!_isKeyboardSought)
+        {
+            (_keyboard, _isKeyboardSought) = (Win32TouchKeyboard.For(window.Window), true);
+        }
+
+        _keyboard?.Show(true);
+    }
+
+    private void PutAwayKeyboard()
+    {
+        if (_client is null)
+        {
+            _keyboard?.Show(false);
+        }
     }
 
     private void OnComposition(nint context, uint changes)

@@ -16,6 +16,7 @@ internal sealed unsafe class Win32Window : PlatformWindow
 {
     private const double UsualDpi = 96;
     private readonly double _scaling;
+    private readonly Win32Settings _settings;
     private readonly Win32Frame _frame;
     private readonly Win32Mouse _mouse;
     private readonly Win32Pointing _pointing;
@@ -28,11 +29,12 @@ internal sealed unsafe class Win32Window : PlatformWindow
 
     /// <summary>Creates a window that is not shown yet.</summary>
     /// <param name="scaling">Pixels per device-independent unit on a monitor that the system does not scale.</param>
+    /// <param name="settings">What is told when the system's settings change.</param>
     /// <exception cref="PlatformNotSupportedException">The system refuses it.</exception>
-    public Win32Window(double scaling)
+    public Win32Window(double scaling, Win32Settings settings)
         : base(scaling)
     {
-        _scaling = scaling;
+        (_scaling, _settings) = (scaling, settings);
         (_mouse, _pointing, _inputMethod) = (new(this), new(this), new(this));
         Window = Win32Class.Create(Win32Frame.Style, 0, On);
         _frame = new(Window);
@@ -54,6 +56,9 @@ internal sealed unsafe class Win32Window : PlatformWindow
 
     /// <summary>The system's handle; 0 once it is closed.</summary>
     public nint Window { get; private set; }
+
+    /// <summary>True if the latest input came from a finger, not from a mouse, a pen or a keyboard.</summary>
+    public bool IsByFinger { get; private set; }
 
     public override WindowState WindowState
     {
@@ -87,6 +92,7 @@ internal sealed unsafe class Win32Window : PlatformWindow
     {
         // Only now: Avalonia has a size of its own in mind for a window that is not shown yet.
         _isShown = true;
+        _settings.Follow();
         if (WindowState == WindowState.Normal && !activate)
         {
             _ = User32.ShowWindow(Window, User32.ShowNotActive);
@@ -167,6 +173,7 @@ internal sealed unsafe class Win32Window : PlatformWindow
         }
 
         _pointing.Cancel();
+        _inputMethod.Close();
         var window = Window;
         if (_isRead)
         {
@@ -225,8 +232,17 @@ internal sealed unsafe class Win32Window : PlatformWindow
             return null;
         }
 
+        IsByFinger = message switch
+        {
+            Win32Message.PointerDown => true,
+            Win32Message.LeftDown or Win32Message.RightDown or Win32Message.KeyDown => false,
+            _ => IsByFinger,
+        };
         switch (message)
         {
+            case Win32Message.SettingChanged or Win32Message.ColorsChanged:
+                _settings.Follow();
+                return null;
             case Win32Message.Paint:
                 OnPaint();
                 return 0;

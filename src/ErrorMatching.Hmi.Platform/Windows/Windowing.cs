@@ -20,8 +20,13 @@ internal sealed class Windowing(Func<PlatformWindow> create) : IWindowingPlatfor
     /// <param name="create">Creates a window.</param>
     /// <param name="clipboard">The clipboard.</param>
     /// <param name="dispatcher">The loop of the UI thread; null for one that waits for nothing but its own work.</param>
+    /// <param name="settings">What a person chose for the whole system; null for Avalonia's own values.</param>
     public static void Initialize(
-        IRenderTimer timer, Func<PlatformWindow> create, IClipboard clipboard, IDispatcherImpl? dispatcher = null)
+        IRenderTimer timer,
+        Func<PlatformWindow> create,
+        IClipboard clipboard,
+        IDispatcherImpl? dispatcher = null,
+        IPlatformSettings? settings = null)
     {
         Dispatcher.InitializeUIThreadDispatcher(dispatcher ?? new ManagedDispatcherImpl(null));
         AvaloniaLocator.CurrentMutable
@@ -31,7 +36,7 @@ internal sealed class Windowing(Func<PlatformWindow> create) : IWindowingPlatfor
             .Bind<IClipboard>().ToConstant(clipboard)
             .Bind<ICursorFactory>().ToConstant(new ShapeCursors())
             .Bind<IPlatformIconLoader>().ToConstant(new NoIcons())
-            .Bind<IPlatformSettings>().ToConstant(new DefaultPlatformSettings())
+            .Bind<IPlatformSettings>().ToConstant(settings ?? new DefaultPlatformSettings())
             .Bind<PlatformHotkeyConfiguration>().ToConstant(new PlatformHotkeyConfiguration())
             .Bind<KeyGestureFormatInfo>().ToConstant(new KeyGestureFormatInfo(
                 new Dictionary<Key, string>(), "Meta", "Ctrl", "Alt", "Shift"));

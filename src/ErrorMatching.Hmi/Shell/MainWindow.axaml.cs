@@ -3,7 +3,7 @@ using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Interactivity;
 using Avalonia.Layout;
-using Avalonia.Styling;
+using Avalonia.Platform;
 using Avalonia.Threading;
 using Avalonia.VisualTree;
 
@@ -36,6 +36,7 @@ public sealed partial class MainWindow : Window
         AddHandler(KeyDownEvent, (_, _) => Touch(isByKeyboard: true), RoutingStrategies.Tunnel, handledEventsToo: true);
         _typing = new(this);
         Texts.Current.LanguageChanged += LayOutAnew;
+        Application.Current!.PlatformSettings?.ColorValuesChanged += OnSystemColors;
     }
 
     /// <summary>True if the last input came from the keyboard, not from a pointer or finger.</summary>
@@ -104,6 +105,7 @@ public sealed partial class MainWindow : Window
         }
 
         Texts.Current.LanguageChanged -= LayOutAnew;
+        Application.Current!.PlatformSettings?.ColorValuesChanged -= OnSystemColors;
         _tidying.Stop();
         _typing.Close();
         base.OnClosed(e);
@@ -164,5 +166,8 @@ public sealed partial class MainWindow : Window
         }
     }
 
-    private void ShowTheme() => RequestedThemeVariant = _shell!.IsDark ? ThemeVariant.Dark : ThemeVariant.Light;
+    private void OnSystemColors(object? sender, PlatformColorValues e) => ShowTheme();
+
+    private void ShowTheme() =>
+        RequestedThemeVariant = Contrast.Theme(_shell?.IsDark == true, Application.Current!.PlatformSettings?.GetColorValues());
 }
