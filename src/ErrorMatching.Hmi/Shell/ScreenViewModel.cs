@@ -1,6 +1,8 @@
 namespace ErrorMatching.Hmi;
 
 /// <summary>View model of a screen. Created each time the screen is opened, and disposed when it is left.</summary>
+/// <remarks>It knows no Avalonia, so that it is tested without a window. What it shows of the cell is in the immutable
+/// <see cref="StationState"/>. The store is queried off the UI thread, such as by <see cref="TryAsync"/>.</remarks>
 public abstract class ScreenViewModel : Observable, IDisposable
 {
     private string? _message;
