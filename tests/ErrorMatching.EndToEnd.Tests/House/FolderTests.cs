@@ -12,7 +12,7 @@ namespace ErrorMatching.EndToEnd.Tests;
 public sealed partial class FolderTests
 {
     // Each folder may use those before it. "" is the project's own folder.
-    private static readonly Dictionary<string, string[]> Orders = new(StringComparer.Ordinal)
+    internal static readonly Dictionary<string, string[]> Orders = new(StringComparer.Ordinal)
     {
         ["Json"] = ["Files", "Document", "Schema"],
         ["Geometry"] = ["", "Numbers", "Plane", "Space", "Splines", "Fits", "Alignments", "Tolerances"],
