@@ -20,7 +20,7 @@ public sealed class BorderStateTests
         "ControlRefusals._stops", "BlockIntent.CallsTool", "BlockIntent.Oversize", "CalledTool.Oversize", "CalledTool.Radius",
         "Corners._pending.Item2", "CannedCycles._initial", "CannedCycles._unknown", "CannedCycles._words.Item1",
         "CannedCycles._pecksVary", "PolarEnds._pole",
-        "CannedCycles._words.Item2", "CannedCycles._words.Item3", "CannedCycles._words.Item4", "CycleSteps.Count", "OffTheWall._shift",
+        "CannedCycles._words.Item2", "CannedCycles._words.Item3", "CannedCycles._words.Item4", "CycleSteps.Count", "BoreRetraction._shift",
         "ControlState.Offset", "IntegerWords.Count", "IntegerWords._first", "RunResult.Block",
         "OriginShift.Stored.Item1.X", "OriginShift.Stored.Item1.Y", "OriginShift.Stored.Item1.Z", "OriginShift.Stored.Item2",
         "OriginShift.Local.Item1.X", "OriginShift.Local.Item1.Y", "OriginShift.Local.Item1.Z", "OriginShift.Local.Item2",
