@@ -43,3 +43,17 @@ internal sealed class BlockIntent
         (NamesMotion, NeedsSense, AboutPole, CallsTool, Oversize) = (false, false, false, false, null);
     }
 }
+
+/// <summary>The purpose of a block's axis words.</summary>
+internal enum AxisUse
+{
+    Motion,
+    Nothing,
+    Origin,
+    Reference,
+    MachineCoordinates,
+    Cycle,
+    Pole,
+    Center,
+    Corner,
+}
