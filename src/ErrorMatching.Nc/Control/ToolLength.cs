@@ -27,3 +27,77 @@ internal sealed class ToolLength
 
     public void Change(Vector3 to, bool inInches) => (Vector, _isInInches) = (to, inInches);
 }
+
+/// <summary>Codes that state a tool length, take it from the table, or end it (G43.1, G43, G49).</summary>
+internal sealed class ToolLengthCodes(ControlState control, BlockValues values, CoordinateLayers layers)
+{
+    /// <summary>True if a length is active, stated or from the table.</summary>
+    public bool IsActive => control.State.LengthOffset || layers.Length.Axes != AxisSet.None;
+
+    private AxisSet Unknown => layers.Length.UnknownIn(control.State);
+
+    /// <summary>G43.1: from here on, the tip is shifted by the block's length. A previous length from the table is unknown.</summary>
+    public void Set()
+    {
+        var given = values.GivenAxes();
+        var length = values.Given(default(Point3) + layers.Length.Vector, incremental: false) - default(Point3);
+        Change(length, (Unknown & (given | layers.Length.Axes)) | values.UnknownWords());
+        layers.Length.FromTable &= ~given;
+        control.State.LengthOffset &= layers.Length.FromTable != AxisSet.None;
+        layers.Length.IsUnsure &= (given & AxisSet.Z) == AxisSet.None;
+    }
+
+    /// <summary>G43: a length that only the machine knows, so that the tip's place is unknown along the tool. Some controls move the
+    /// length in this block, some with the next motion; the others give the place another coordinate.</summary>
+    public void TakeFromTable()
+    {
+        // Along Z, or along the third axis of the plane: controls differ.
+        var along = AxisSet.Z | (AxisSet.All & ~control.State.Plane.Axes());
+        Change(Vector3.Zero, layers.Length.Axes | along | Unknown);
+        (layers.Length.FromTable, layers.Length.IsUnsure, control.State.LengthOffset) = (layers.Length.FromTable | along, false, true);
+    }
+
+    /// <summary>G49.</summary>
+    public void End()
+    {
+        Change(Vector3.Zero, Unknown);
+        (layers.Length.FromTable, layers.Length.IsUnsure, control.State.LengthOffset) = (AxisSet.None, false, false);
+    }
+
+    /// <summary>Another number of a length changes the active one.</summary>
+    public void ChangeNumber()
+    {
+        if (Unknown != AxisSet.None)
+        {
+            TakeFromTable();
+        }
+    }
+
+    /// <summary>Restores an active length or ends it.</summary>
+    public void Restore(bool on)
+    {
+        if (on)
+        {
+            TakeFromTable();
+        }
+        else
+        {
+            End();
+        }
+    }
+
+    private void Change(Vector3 to, AxisSet unknown)
+    {
+        if (to == layers.Length.Vector && unknown == AxisSet.None)
+        {
+            return;
+        }
+
+        var by = layers.Length.Vector - to;
+        layers.Length.Change(to, control.State.Inch);
+        var degrees = layers.Offsets.Origin.Degrees;
+        layers.MoveWork(WorkOrigin.Turned(by, -(degrees ?? 0)), degrees is null && (by.X != 0 || by.Y != 0)
+            ? unknown | AxisSet.X | AxisSet.Y : degrees == 0 ? unknown : WorkOrigin.Mixed(unknown));
+        layers.NextFrame();
+    }
+}

@@ -42,3 +42,186 @@ internal sealed class WorkOffsets(NcDialect dialect)
 
     private (int Code, int Number) NameOf((int Code, int Number) offset) => dialect.WorkOffsetOf(offset).Offset;
 }
+
+/// <summary>Origin and rotation of a work offset: machine = place + rotation about Z of (work + shift).</summary>
+/// <param name="Place">Its origin in machine coordinates, mm.</param>
+/// <param name="Unknown">Axes in which only the machine knows the origin.</param>
+/// <param name="Degrees">Its rotation in the XY plane; null if only the machine knows it.</param>
+internal readonly record struct WorkOrigin(Vector3 Place, AxisSet Unknown, double? Degrees)
+{
+    private const AxisSet Flat = AxisSet.X | AxisSet.Y;
+
+    /// <summary>True if it is the compared offset, written without a rotation: the rotation stays the same, whatever it is.</summary>
+    public bool KeepsRotation { get; init; }
+
+    /// <summary>A rotation mixes the two coordinates: if one is unknown, both become unknown.</summary>
+    public static AxisSet Mixed(AxisSet unknown) => (unknown & Flat) != AxisSet.None ? unknown | Flat : unknown;
+
+    /// <summary>A vector turned about Z.</summary>
+    public static Vector3 Turned(Vector3 by, double degrees) =>
+        degrees == 0 ? by : ProgramFrame.Rotation(CoordinatePlane.XY, default, degrees).Turn(by);
+
+    /// <summary>The coordinates of a place after its work offset changes.</summary>
+    /// <param name="place">The place in the old offset.</param>
+    /// <param name="unknown">Its unknown coordinates.</param>
+    /// <param name="was">The old offset.</param>
+    /// <param name="now">The new offset.</param>
+    /// <param name="unknownDifference">Axes in which the distance between the two is unknown.</param>
+    /// <param name="shift">The shift on top of both (G92).</param>
+    /// <param name="unknownShift">Axes in which that shift is unknown.</param>
+    public static (Point3 Place, AxisSet Unknown) Reseen(
+        Point3 place, AxisSet unknown, WorkOrigin was, WorkOrigin now, AxisSet unknownDifference, Vector3 shift, AxisSet unknownShift)
+    {
+        var by = was.Place - now.Place;
+        if (was.Degrees is { } from && now.Degrees is { } to)
+        {
+            return from == to
+                ? (place + Turned(by, -to), unknown | (to == 0 ? unknownDifference : Mixed(unknownDifference)))
+                : (
+                    default(Point3) + (Turned(Turned(place - default(Point3) + shift, from) + by, -to) - shift),
+                    Mixed(unknown | unknownDifference | (unknownShift & Flat)));
+        }
+
+        var isStraight = now.KeepsRotation && by.X == 0 && by.Y == 0 && (unknownDifference & Flat) == AxisSet.None;
+        return (place + by, unknown | unknownDifference | (isStraight ? AxisSet.None : Flat));
+    }
+}
+
+/// <summary>Codes that select a work offset (G54) or write one (G10).</summary>
+internal sealed class OffsetCodes(ControlState control, BlockValues values, CoordinateLayers layers, RunResult result)
+{
+    /// <summary>Selects an offset.</summary>
+    /// <param name="chosen">The code times ten, and its P word.</param>
+    /// <param name="isKnown">False if the P word is a value that only the machine knows.</param>
+    public void Choose((int Code, int Number) chosen, bool isKnown)
+    {
+        if (chosen == layers.Offsets.Chosen && !layers.Offsets.IsUnsure && isKnown)
+        {
+            return;
+        }
+
+        var isSame = isKnown && layers.Offsets.IsChosen(chosen) == true;
+        var was = layers.Offsets.Origin;
+        layers.Offsets.Choose(chosen, isKnown);
+        if (!isSame)
+        {
+            var now = layers.Offsets.Origin;
+            layers.SeeFrom(was, now, was.Unknown | now.Unknown, layers.Shift.Vector);
+        }
+
+        layers.NextFrame();
+    }
+
+    /// <summary>G10: writes what the dialect says of its L word. If that is not known, neither is the tool's place.</summary>
+    public void Write()
+    {
+        var letters = BlockWords.Bit('L') | BlockWords.Bit('P');
+        var isKnown = values.Words.Has('L') && ((values.Words.Unknown | values.Words.Repeated) & letters) == 0;
+        var table = isKnown ? values.Dialect.OffsetTableOf((int)Math.Clamp(values.Words.Value('L'), -1, 10_000)) : null;
+        if (table is { Means: OffsetWriting.Tool })
+        {
+            control.State.Unknown |= layers.Length.UnknownIn(control.State);
+            return;
+        }
+
+        if (table is null or { Means: OffsetWriting.Unknown } || WrittenOffset(table) is not { } offset
+            || (values.Words.Has('R') && !Turns)
+            || (table.Means == OffsetWriting.AbsoluteOrigin && control.State.Incremental))
+        {
+            // An offset of the machine, or one that only it knows.
+            layers.ForgetOrigins();
+            layers.NextFrame();
+            control.State.Unknown = AxisSet.All;
+            return;
+        }
+
+        if (table.Means == OffsetWriting.TouchOff)
+        {
+            if (table.IsAssumed)
+            {
+                result.Note("touch-off", "G10 L20 is taken to give the tool's place the coordinates of its block, as on LinuxCNC and grbl. "
+                    + "Controls of Fanuc's kind write another offset by it.");
+            }
+
+            TouchOff(offset);
+        }
+        else
+        {
+            WriteTo(offset, control.State.Incremental && table.Means == OffsetWriting.OriginByDistance);
+        }
+    }
+
+    // Only LinuxCNC's work offsets turn.
+    private bool Turns => values.Dialect.Syntax == NcSyntax.LinuxCnc;
+
+    private (int Code, int Number)? WrittenOffset(OffsetTable table)
+    {
+        var number = values.Words.Has('P') ? values.Words.Value('P') : -1;
+        return number == 0 && table.ZeroIsActive && !layers.Offsets.IsUnsure ? layers.Offsets.Chosen
+            : number is >= 1 and <= 10_000 && number == Math.Floor(number) ? table.Offset((int)number)
+            : null;
+    }
+
+    private void WriteTo((int Code, int Number) offset, bool incremental)
+    {
+        var isChosen = layers.Offsets.IsChosen(offset);
+        var given = values.GivenAxes();
+        var was = layers.Offsets.OriginOf(offset);
+        var turns = values.Words.Has('R') || (values.Words.Unknown & BlockWords.Bit('R')) != 0;
+        var now = new WorkOrigin(
+            values.Given(default(Point3) + was.Place, incremental) - default(Point3),
+            (incremental ? was.Unknown : was.Unknown & ~given) | values.UnknownWords(),
+            !turns ? was.Degrees : (values.Words.Unknown & BlockWords.Bit('R')) == 0 ? values.Words.Value('R') : null);
+        layers.Offsets.Write(offset, now);
+        if (isChosen is null)
+        {
+            control.State.Unknown = AxisSet.All;
+            layers.NextFrame();
+        }
+        else if (isChosen == true)
+        {
+            // Measured with rs274: it rotates the place minus the shift of G92.
+            var difference = (incremental ? AxisSet.None : was.Unknown & given) | values.UnknownWords();
+            layers.SeeFrom(was, now with { KeepsRotation = !turns }, difference, Turns ? Vector3.Zero : layers.Shift.Vector);
+            layers.NextFrame();
+        }
+    }
+
+    // Moves the offset so that the tool's current place has the given coordinates in it.
+    private void TouchOff((int Code, int Number) offset)
+    {
+        var given = values.GivenAxes();
+        var (was, current) = (layers.Offsets.OriginOf(offset), layers.Offsets.Origin);
+        var (place, unknown) = layers.Tool();
+        if (layers.Offsets.IsChosen(offset) is not { } isCurrent)
+        {
+            layers.Offsets.Write(offset, was with { Unknown = AxisSet.All });
+            control.State.Unknown = AxisSet.All;
+            layers.NextFrame();
+            return;
+        }
+
+        if (was.Degrees == 0 && current.Degrees == 0)
+        {
+            var now = was.Place + given.PartOf(current.Place + (place - values.Given(place, incremental: false)) - was.Place);
+            layers.Offsets.Write(offset,
+                new(now, (was.Unknown & ~given) | ((unknown | current.Unknown) & given) | values.UnknownWords(), 0));
+        }
+        else
+        {
+            var (seen, unknownSeen) = isCurrent ? (place, unknown)
+                : WorkOrigin.Reseen(place, unknown, current, was, current.Unknown | was.Unknown, layers.Shift.Vector, layers.Shift.Unknown);
+            var by = seen - values.Given(seen, incremental: false);
+            var plane = given & (AxisSet.X | AxisSet.Y);
+            var unknownBy = WorkOrigin.Mixed((unknownSeen & given) | values.UnknownWords() | (was.Degrees is null ? plane : AxisSet.None));
+            layers.Offsets.Write(offset,
+                was with { Place = was.Place + WorkOrigin.Turned(by, was.Degrees ?? 0), Unknown = was.Unknown | unknownBy });
+        }
+
+        if (isCurrent)
+        {
+            layers.SetTool(values.Given(place, incremental: false), (unknown & ~given) | values.UnknownWords());
+            layers.NextFrame();
+        }
+    }
+}
