@@ -20,8 +20,8 @@ public sealed class BorderStateTests
         "ControlRefusals._stops", "BlockIntent.CallsTool", "BlockIntent.Oversize", "CalledTool.Oversize", "CalledTool.Radius",
         "Corners._pending.Item2", "CannedCycles._initial", "CannedCycles._unknown", "CannedCycles._words.Item1",
         "CannedCycles._pecksVary", "PolarEnds._pole",
-        "CannedCycles._words.Item2", "CannedCycles._words.Item3", "CannedCycles._words.Item4", "CycleSteps.Count", "BoreRetraction._shift",
-        "ControlState.Offset", "IntegerWords.Count", "IntegerWords._first", "RunResult.Block",
+        "CannedCycles._words.Item2", "CannedCycles._words.Item3", "CannedCycles._words.Item4", "BoreRetraction._shift",
+        "NcControl.Offset", "IntegerWords.Count", "IntegerWords._first", "RunResult.Block",
         "OriginShift.Stored.Item1.X", "OriginShift.Stored.Item1.Y", "OriginShift.Stored.Item1.Z", "OriginShift.Stored.Item2",
         "OriginShift.Local.Item1.X", "OriginShift.Local.Item1.Y", "OriginShift.Local.Item1.Z", "OriginShift.Local.Item2",
         "OriginShift.Unknown", "OriginShift.Vector.X", "OriginShift.Vector.Y", "OriginShift.Vector.Z",
@@ -31,7 +31,7 @@ public sealed class BorderStateTests
         "ToolLength.FromTable", "ToolLength.IsUnsure", "ProgramTransforms.AreUnsure",
         "WorkOffsets.Chosen.Item1", "WorkOffsets.Chosen.Item2", "WorkOffsets.IsUnsure",
         "BlockExecutor.HasOnlyModes", "ForkLimits._left", "Forks.Trace", "Forks._next", "Forks._seen", "ProgramRun.Decide",
-        "ProgramRun.At", "ProgramRun.HasEnded", "ProgramRun.Returned", "ProgramRun._flow",
+        "ProgramRun.At", "ProgramRun.HasEnded", "ProgramRun.Holes", "ProgramRun.Returned", "ProgramRun._flow",
         "RunBorders.OnlyCuts", "RunBorders._jumps", "RunBorders._next", "RunBorders._problems", "SecondCore.Seam", "SecondCore._ahead",
     ];
 

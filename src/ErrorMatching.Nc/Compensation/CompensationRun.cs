@@ -346,7 +346,7 @@ internal sealed class CompensationRun
             return TooShort(_last.Motion);
         }
 
-        var most = _rule.ArcGrowthRadians / (motion.Has(MotionFlags.Inch) ? ControlState.MmPerInch : 1);
+        var most = _rule.ArcGrowthRadians / (motion.Has(MotionFlags.Inch) ? NcControl.MmPerInch : 1);
         return _last.IsArc && endsStraight && remaining > _last.Sweep(_last.Start, _last.End) + most
             ? Refuse(
                 motion,

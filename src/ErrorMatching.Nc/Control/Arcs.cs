@@ -4,14 +4,7 @@ namespace ErrorMatching.Nc;
 
 /// <summary>Builds arcs from the words of a block: center words, a radius, an opening angle, an intermediate point, or the direction of
 /// the previous motion.</summary>
-internal sealed class Arcs(
-    ControlState control,
-    BlockValues values,
-    CoordinateLayers layers,
-    RunResult result,
-    MotionWriter writer,
-    Corners corners,
-    PoleCodes pole)
+internal sealed class Arcs(NcControl control, Corners corners, PoleCodes pole)
 {
     private const double Kilometer = 1e6;
 
@@ -30,37 +23,38 @@ internal sealed class Arcs(
 
         flags |= arc.Flags | control.SwitchCompensation(movesInPlane: true);
         var (center, turned) = (arc.Center, arc.Kind);
-        if (layers.Transforms.Frame is not null)
+        if (control.Layers.Transforms.Frame is not null)
         {
-            var (stays, turnsOver) = layers.Transforms.Frame.OnCircles(plane);
+            var (stays, turnsOver) = control.Layers.Transforms.Frame.OnCircles(plane);
             flags |= stays ? MotionFlags.None : BadArc("the frame that is active makes it an ellipse or tilts it out of its plane");
-            center = plane.Project(layers.Transforms.Frame.Apply(plane.Lift(center, plane.Height(end))));
+            center = plane.Project(control.Layers.Transforms.Frame.Apply(plane.Lift(center, plane.Height(end))));
             turned = turnsOver ? Opposite(turned) : turned;
         }
 
         corners.Cut(turned, flags, end, unknownEnd, center);
         if (isKnown && start.DistanceTo(arc.Center) >= Kilometer)
         {
-            result.Note("huge-arc", "The radius of an arc is a kilometer or more: it is nearly a line, and a wrong word looks like this. "
+            control.Result.Note("huge-arc",
+                "The radius of an arc is a kilometer or more: it is nearly a line, and a wrong word looks like this. "
                 + "Controls have a limit for radii, and this one's is not known here.");
         }
 
-        writer.Append(turned, flags, end, unknownEnd, center, Turns());
+        control.Moves.Append(turned, flags, end, unknownEnd, center, Turns());
     }
 
     private static MotionKind Opposite(MotionKind kind) =>
         kind == MotionKind.ArcClockwise ? MotionKind.ArcCounterClockwise : MotionKind.ArcClockwise;
 
     private int Turns() =>
-        values.Words.Has(NcAddress.Turn) ? (int)Math.Clamp(values.Words.Value(NcAddress.Turn), 0, 100_000)
+        control.Words.Has(NcAddress.Turn) ? (int)Math.Clamp(control.Words.Value(NcAddress.Turn), 0, 100_000)
         : pole.Turns() is > 0 and var turns ? turns
-        : values.Dialect.TurnsLetter != 0 && values.Words.Has(values.Dialect.TurnsLetter)
-            ? (int)Math.Clamp(values.Words.Value(values.Dialect.TurnsLetter) - 1, 0, 100_000)
+        : control.Dialect.TurnsLetter != 0 && control.Words.Has(control.Dialect.TurnsLetter)
+            ? (int)Math.Clamp(control.Words.Value(control.Dialect.TurnsLetter) - 1, 0, 100_000)
         : 0;
 
     private FoundArc FindArc(MotionKind kind, Point2 start, Point2 end, double endHeight, bool isKnown)
     {
-        if ((values.Words.Unknown & BlockWords.GeometryWords & ~BlockWords.LinearAxes) != 0)
+        if ((control.Words.Unknown & BlockWords.GeometryWords & ~BlockWords.LinearAxes) != 0)
         {
             return new(kind, start.Lerp(end, 0.5), MotionFlags.BadArc);
         }
@@ -80,14 +74,14 @@ internal sealed class Arcs(
             return Tangent(start, end, isKnown);
         }
 
-        if (values.Words.Has('R') && values.Dialect.RoleOf((byte)'R') == LetterRole.Radius)
+        if (control.Words.Has('R') && control.Dialect.RoleOf((byte)'R') == LetterRole.Radius)
         {
-            return ByRadius(kind, start, end, values.Length('R'), isKnown);
+            return ByRadius(kind, start, end, control.Values.Length('R'), isKnown);
         }
 
-        if (values.Words.Has(NcAddress.CircleRadius))
+        if (control.Words.Has(NcAddress.CircleRadius))
         {
-            return ByRadius(kind, start, end, values.Length(NcAddress.CircleRadius), isKnown);
+            return ByRadius(kind, start, end, control.Values.Length(NcAddress.CircleRadius), isKnown);
         }
 
         var (first, second) = control.State.Plane switch
@@ -96,11 +90,11 @@ internal sealed class Arcs(
             CoordinatePlane.YZ => ('J', 'K'),
             _ => ('I', 'J')
         };
-        var hasCenter = values.Words.Has(first) || values.Words.Has(second);
-        if (values.Words.Has(NcAddress.OpeningAngle))
+        var hasCenter = control.Words.Has(first) || control.Words.Has(second);
+        if (control.Words.Has(NcAddress.OpeningAngle))
         {
             return ByAngle(
-                kind, start, end, values.Words.Value(NcAddress.OpeningAngle), hasCenter ? Center(start, first, second) : null, isKnown);
+                kind, start, end, control.Words.Value(NcAddress.OpeningAngle), hasCenter ? Center(start, first, second) : null, isKnown);
         }
 
         if (!hasCenter)
@@ -115,7 +109,7 @@ internal sealed class Arcs(
     private MotionFlags Mismatch(Point2 start, Point2 end, Point2 center, bool isKnown)
     {
         var radius = start.DistanceTo(center);
-        var tolerance = Math.Max(values.Dialect.ArcMismatchMm, values.Dialect.ArcMismatchOfRadius * radius);
+        var tolerance = Math.Max(control.Dialect.ArcMismatchMm, control.Dialect.ArcMismatchOfRadius * radius);
         var mismatch = ArcCenter.Mismatch(start, end, center);
         return isKnown && !(mismatch <= tolerance && radius > 0)
             ? BadArc(FormattableString.Invariant($"the radii at start and end differ by {mismatch:0.####} mm"))
@@ -139,12 +133,12 @@ internal sealed class Arcs(
     private double CenterWord(double start, char letter)
     {
         var bit = BlockWords.Bit(letter);
-        var absolute = (control.State.AbsoluteCenters && (values.Words.Incremental & bit) == 0) || (values.Words.Absolute & bit) != 0;
-        return (absolute ? 0 : start) + (values.Words.Has(letter) ? values.Length(letter) : 0);
+        var absolute = (control.State.AbsoluteCenters && (control.Words.Incremental & bit) == 0) || (control.Words.Absolute & bit) != 0;
+        return (absolute ? 0 : start) + (control.Words.Has(letter) ? control.Values.Length(letter) : 0);
     }
 
     private FoundArc ByRadius(MotionKind kind, Point2 start, Point2 end, double radius, bool isKnown) =>
-        ArcCenter.ByRadius(start, end, radius, kind == MotionKind.ArcCounterClockwise, values.Dialect.ArcMismatchMm) is { } center
+        ArcCenter.ByRadius(start, end, radius, kind == MotionKind.ArcCounterClockwise, control.Dialect.ArcMismatchMm) is { } center
             ? new(kind, center, MotionFlags.ByRadius)
             : new(
                 kind,
@@ -206,21 +200,22 @@ internal sealed class Arcs(
     public double Way(byte letter, double at)
     {
         var bit = BlockWords.Bit(letter);
-        var incremental = (control.State.Incremental && (values.Words.Absolute & bit) == 0) || (values.Words.Incremental & bit) != 0;
-        return values.Words.Has(letter) ? (incremental ? at : 0) + values.Length(letter) : at;
+        var incremental = (control.State.Incremental && (control.Words.Absolute & bit) == 0) || (control.Words.Incremental & bit) != 0;
+        return control.Words.Has(letter) ? (incremental ? at : 0) + control.Values.Length(letter) : at;
     }
 
     private FoundArc Tangent(Point2 start, Point2 end, bool isKnown)
     {
-        if (result.Motions.Length > 0
-            && InPlane(result.Motions[result.Motions.Length - 1]) is { IsCut: true, IsKnownInPlane: true, MovesInPlane: true } before
+        var motions = control.Result.Motions;
+        if (motions.Length > 0
+            && InPlane(motions[motions.Length - 1]) is { IsCut: true, IsKnownInPlane: true, MovesInPlane: true } before
             && before.Plane == control.State.Plane
-            && (layers.Transforms.Frame?.OnCircles(control.State.Plane).StayCircles ?? true))
+            && (control.Layers.Transforms.Frame?.OnCircles(control.State.Plane).StayCircles ?? true))
         {
             var plane = control.State.Plane;
             var direction = plane.Lift(Point2.Origin + before.TangentAt(1), 0) - default(Point3);
-            var tangent = (
-                plane.Project(default(Point3) + (layers.Transforms.Inverse?.Turn(direction) ?? direction)) - Point2.Origin).Normalize();
+            var programmed = control.Layers.Transforms.Inverse?.Turn(direction) ?? direction;
+            var tangent = (plane.Project(default(Point3) + programmed) - Point2.Origin).Normalize();
             var chord = end - start;
             var side = tangent.Cross(chord);
             if (Math.Abs(side) > 1e-9 * chord.Length)
@@ -242,5 +237,5 @@ internal sealed class Arcs(
     // A line has a direction in each plane.
     private NcMotion InPlane(in NcMotion motion) => motion.IsArc ? motion : motion with { Plane = control.State.Plane };
 
-    private MotionFlags BadArc(string why) => result.Problem("bad-arc", $"Not an arc: {why}.", MotionFlags.BadArc);
+    private MotionFlags BadArc(string why) => control.Result.Problem("bad-arc", $"Not an arc: {why}.", MotionFlags.BadArc);
 }

@@ -4,60 +4,49 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <summary>Applies the G codes and M functions of a block to the modes.</summary>
-internal sealed class BlockCodes(
-    ControlState control,
-    BlockValues values,
-    ProgramRun run,
-    CoordinateLayers layers,
-    RunResult result,
-    BlockIntent intent,
-    OffsetCodes offsets,
-    ToolLengthCodes lengths,
-    TransformCodes transforms,
-    MachineMoves machine,
-    CannedCycles canned,
-    ModeMemory memory,
-    CompensationWords switches)
+internal sealed class BlockCodes(NcControl control, OriginCodes origins, MachineMoves machine, CannedCycles canned)
 {
     /// <summary>The M function of a tool change.</summary>
     public const int ToolChange = 6;
 
+    public CompensationWords Compensation { get; } = new(control);
+
     public MotionFlags ReadCodes()
     {
         var flags = MotionFlags.None;
-        switches.ReadOffset();
+        Compensation.ReadOffset();
         ReadLength();
-        foreach (var tenths in values.Words.Codes)
+        foreach (var tenths in control.Words.Codes)
         {
-            var meaning = values.Dialect.MeaningOf(tenths);
-            switches.StopAt(tenths);
+            var meaning = control.Dialect.MeaningOf(tenths);
+            Compensation.StopAt(tenths);
             switch (meaning)
             {
                 case NcMeaning.Unknown:
                     var code = (tenths / 10m).ToString(CultureInfo.InvariantCulture);
-                    flags |= result.Problem(
-                        "unknown-code", $"G{code} is not known to the dialect {values.Dialect.Name}.", MotionFlags.UnknownWord);
-                    layers.Forget();
-                    intent.HasUnknownCode = true;
+                    flags |= control.Result.Problem(
+                        "unknown-code", $"G{code} is not known to the dialect {control.Dialect.Name}.", MotionFlags.UnknownWord);
+                    control.Layers.Forget();
+                    control.Intent.HasUnknownCode = true;
                     break;
                 case NcMeaning.WorkOffset:
-                    var letter = values.Dialect.WorkOffsetLetter;
-                    var number = values.Words.Has(letter) ? (int)Math.Clamp(values.Words.Value(letter), 0, 1000) : 0;
-                    offsets.Choose((tenths, number), (values.Words.Unknown & BlockWords.Bit(letter)) == 0);
+                    var letter = control.Dialect.WorkOffsetLetter;
+                    var number = control.Words.Has(letter) ? (int)Math.Clamp(control.Words.Value(letter), 0, 1000) : 0;
+                    origins.Offsets.Choose((tenths, number), (control.Words.Unknown & BlockWords.Bit(letter)) == 0);
                     break;
                 case NcMeaning.Inch or NcMeaning.Metric:
-                    control.Units(meaning == NcMeaning.Inch, values.Dialect.ScalesFeed(tenths));
+                    control.Units(meaning == NcMeaning.Inch, control.Dialect.ScalesFeed(tenths));
                     break;
                 case var _ when meaning.Steers():
                     // The flow executes it after the words; axis words are arguments.
-                    intent.Use = AxisUse.Nothing;
+                    control.Intent.Use = AxisUse.Nothing;
                     break;
                 case NcMeaning.ReferenceReturn or NcMeaning.StoreReference:
-                    intent.Reference = tenths / 10;
+                    control.Intent.Reference = tenths / 10;
                     Apply(meaning, 0);
                     break;
                 default:
-                    Apply(meaning, values.Dialect.FamilyOf(tenths));
+                    Apply(meaning, control.Dialect.FamilyOf(tenths));
                     break;
             }
         }
@@ -68,59 +57,57 @@ internal sealed class BlockCodes(
     // What is passed to a called program is not of this kind.
     private void ReadLength()
     {
-        foreach (var function in values.Words.Functions)
+        foreach (var function in control.Words.Functions)
         {
-            if (values.Dialect.FunctionOf(function).Steers())
+            if (control.Dialect.FunctionOf(function).Steers())
             {
                 return;
             }
         }
 
-        foreach (var code in values.Words.Codes)
+        foreach (var code in control.Words.Codes)
         {
-            if (values.Dialect.MeaningOf(code).Steers())
+            if (control.Dialect.MeaningOf(code).Steers())
             {
                 return;
             }
         }
 
-        var given = values.Words.Present | values.Words.Computed;
-        if ((given & values.Lengths) != 0)
+        var given = control.Words.Present | control.Words.Computed;
+        if ((given & control.Values.Lengths) != 0)
         {
-            lengths.TakeFromTable();
+            origins.Lengths.TakeFromTable();
         }
-        else if ((given & values.LengthNumbers) != 0)
+        else if ((given & control.Values.LengthNumbers) != 0)
         {
-            lengths.ChangeNumber();
+            origins.Lengths.ChangeNumber();
         }
     }
 
     public MotionFlags ReadFunctions()
     {
         var flags = MotionFlags.None;
-        foreach (var function in values.Words.Functions)
+        foreach (var function in control.Words.Functions)
         {
-            switches.StopAtFunction(function);
-            switch (values.Dialect.FunctionOf(function))
+            Compensation.StopAtFunction(function);
+            switch (control.Dialect.FunctionOf(function))
             {
                 case FunctionRole.Harmless when function == ToolChange:
-                    result.ChangeTool();
+                    control.Result.ChangeTool();
                     break;
-                case FunctionRole.Harmless or FunctionRole.SaveModes or FunctionRole.SaveModesOfCall or FunctionRole.RestoreModes:
-                    break;
-                case FunctionRole.DropModes:
-                    memory.Drop();
+                case FunctionRole.Harmless or FunctionRole.SaveModes or FunctionRole.SaveModesOfCall or FunctionRole.RestoreModes
+                    or FunctionRole.DropModes:
                     break;
                 case FunctionRole.Unknown:
-                    var message = $"An M function is not known to the dialect {values.Dialect.Name}.";
-                    flags |= result.Problem("unknown-code", message, MotionFlags.UnknownWord);
-                    layers.Forget();
+                    var message = $"An M function is not known to the dialect {control.Dialect.Name}.";
+                    flags |= control.Result.Problem("unknown-code", message, MotionFlags.UnknownWord);
+                    control.Layers.Forget();
                     break;
                 case var role when role.Steers():
                     // The flow executes it after the words.
                     break;
                 default:
-                    layers.Forget();
+                    control.Layers.Forget();
                     break;
             }
         }
@@ -135,54 +122,54 @@ internal sealed class BlockCodes(
         switch (meaning)
         {
             case NcMeaning.ToolCall:
-                intent.CallsTool = true;
+                control.Intent.CallsTool = true;
                 break;
             case NcMeaning.Dwell:
-                intent.Use = AxisUse.Nothing;
+                control.Intent.Use = AxisUse.Nothing;
                 break;
             case NcMeaning.ReferenceReturn or NcMeaning.ReferenceReturnOfAxes:
-                (intent.Use, intent.Code) = (AxisUse.Reference, meaning);
+                (control.Intent.Use, control.Intent.Code) = (AxisUse.Reference, meaning);
                 break;
             case NcMeaning.ProbeInBlock:
-                intent.Probes = true;
+                control.Intent.Probes = true;
                 break;
             case NcMeaning.Polar:
                 // Axis words in the same block are already polar.
-                transforms.Begin(meaning, family);
+                origins.Transforms.Begin(meaning, family);
                 break;
             case NcMeaning.MirroringOff:
                 // Its axis words name the axes; they are not a motion.
-                intent.Use = AxisUse.Nothing;
-                transforms.End(meaning, family);
+                control.Intent.Use = AxisUse.Nothing;
+                origins.Transforms.End(meaning, family);
                 break;
             case NcMeaning.StoreReference:
-                machine.Store();
+                control.Layers.StorePlace(control.Intent.Reference);
                 break;
             case NcMeaning.SetPole:
-                intent.Use = AxisUse.Center;
+                control.Intent.Use = AxisUse.Center;
                 break;
             case NcMeaning.CornerRounding or NcMeaning.CornerChamfer:
-                (intent.Use, intent.Code) = (AxisUse.Corner, meaning);
+                (control.Intent.Use, control.Intent.Code) = (AxisUse.Corner, meaning);
                 break;
             case NcMeaning.UnknownOrigin:
-                intent.Use = AxisUse.Nothing;
-                layers.LoseOrigin();
+                control.Intent.Use = AxisUse.Nothing;
+                control.Layers.LoseOrigin();
                 break;
             case NcMeaning.ComputedContour:
-                intent.Use = AxisUse.Nothing;
-                run.Follow(run.Flow.Refuse(NcRefusalCodes.NotASimpleMove, run.At,
+                control.Intent.Use = AxisUse.Nothing;
+                control.Run.Follow(control.Run.Flow.Refuse(NcRefusalCodes.NotASimpleMove, control.Run.At,
                     "the control computes this element of the contour itself: where it leads is not known. Post lines and arcs."));
                 break;
             case NcMeaning.ToolAxisRetract:
                 machine.Retract();
                 break;
             case NcMeaning.MachineCoordinates or NcMeaning.SuppressFrames:
-                intent.Use = AxisUse.MachineCoordinates;
+                control.Intent.Use = AxisUse.MachineCoordinates;
                 break;
             case var _ when meaning.Steers():
                 // A call word that the flow did not execute.
-                intent.Use = AxisUse.Nothing;
-                run.Flow.RefuseCall(run.At, "A word of this block");
+                control.Intent.Use = AxisUse.Nothing;
+                control.Run.Flow.RefuseCall(control.Run.At, "A word of this block");
                 break;
             case NcMeaning.Inch or NcMeaning.Metric:
                 control.Units(meaning == NcMeaning.Inch, feedsToo: true);
@@ -190,30 +177,30 @@ internal sealed class BlockCodes(
             case NcMeaning.Harmless:
                 break;
             case NcMeaning.LengthOffset:
-                lengths.TakeFromTable();
+                origins.Lengths.TakeFromTable();
                 break;
             case NcMeaning.LengthOffsetOff:
-                lengths.End();
-                transforms.End(NcMeaning.OpaqueTransformOff, family);
+                origins.Lengths.End();
+                origins.Transforms.End(NcMeaning.OpaqueTransformOff, family);
                 break;
             case NcMeaning.RotationOff or NcMeaning.ScalingOff or NcMeaning.PolarOff or NcMeaning.OpaqueTransformOff:
-                transforms.End(meaning, family);
+                origins.Transforms.End(meaning, family);
 
                 // Such a block of a language may itself move rotary axes (PLANE RESET TURN).
-                control.State.Unknown |= values.Dialect.BlocksNameMotions ? AxisSet.All : AxisSet.None;
+                control.State.Unknown |= control.Dialect.BlocksNameMotions ? AxisSet.All : AxisSet.None;
                 break;
             case NcMeaning.Smoothing:
-                result.Note("smoothing",
+                control.Result.Note("smoothing",
                     "From here on the control smooths the path: the motions are as programmed only within its tolerance.");
                 break;
             case >= NcMeaning.PoleFromPosition and <= NcMeaning.PoleFromPole:
-                (intent.Use, intent.Code) = (AxisUse.Pole, meaning);
+                (control.Intent.Use, control.Intent.Code) = (AxisUse.Pole, meaning);
                 break;
             case (>= NcMeaning.OpaqueMotion and <= NcMeaning.BoltArc) or NcMeaning.BoltLine:
-                (intent.Use, intent.Code) = (AxisUse.Cycle, meaning);
+                (control.Intent.Use, control.Intent.Code) = (AxisUse.Cycle, meaning);
                 break;
             case var _ when SetsOrigin(meaning):
-                (intent.Use, intent.Code, intent.Family) = (AxisUse.Origin, meaning, family);
+                (control.Intent.Use, control.Intent.Code, control.Intent.Family) = (AxisUse.Origin, meaning, family);
                 break;
             default:
                 SwitchMode(meaning, word);
@@ -222,7 +209,7 @@ internal sealed class BlockCodes(
     }
 
     /// <summary>Calls the block's tool, or changes what its call says.</summary>
-    public void CallTool() => switches.CallTool(intent.Oversize);
+    public void CallTool() => Compensation.CallTool(control.Intent.Oversize);
 
     private static bool SetsOrigin(NcMeaning meaning) => meaning
         is (>= NcMeaning.SetPosition and <= NcMeaning.SetOffset) or NcMeaning.ToolLength
@@ -232,10 +219,10 @@ internal sealed class BlockCodes(
     /// <summary>Sets the sense of the block's arc by the sign at the end of a word: DR+, DR-.</summary>
     public void TakeSense(ReadOnlySpan<byte> word)
     {
-        if (intent.NeedsSense && word[^1] is (byte)'+' or (byte)'-')
+        if (control.Intent.NeedsSense && word[^1] is (byte)'+' or (byte)'-')
         {
             control.State.Mode = word[^1] == '+' ? MotionKind.ArcCounterClockwise : MotionKind.ArcClockwise;
-            intent.NeedsSense = false;
+            control.Intent.NeedsSense = false;
         }
     }
 
@@ -249,8 +236,8 @@ internal sealed class BlockCodes(
         };
         control.Mode(meaning == NcMeaning.PolarLine ? MotionKind.Line : MotionKind.ArcClockwise);
         control.State.Form = form;
-        intent.NeedsSense = meaning is NcMeaning.ArcByRadius or NcMeaning.ArcAboutPole or NcMeaning.PolarArc;
-        intent.AboutPole = meaning is NcMeaning.PolarArc or NcMeaning.PolarLine or NcMeaning.PolarTangentArc;
+        control.Intent.NeedsSense = meaning is NcMeaning.ArcByRadius or NcMeaning.ArcAboutPole or NcMeaning.PolarArc;
+        control.Intent.AboutPole = meaning is NcMeaning.PolarArc or NcMeaning.PolarLine or NcMeaning.PolarTangentArc;
     }
 
     // The control computes the way to a contour or away from it.
@@ -264,11 +251,12 @@ internal sealed class BlockCodes(
 
         if (meaning is NcMeaning.Approach or NcMeaning.Departure)
         {
-            result.Note("way-not-followed", $"{word}: the way between the contour and the place before or behind it is the control's. "
+            control.Result.Note("way-not-followed",
+                $"{word}: the way between the contour and the place before or behind it is the control's. "
                 + "Where it ends is known, if the block states it; whether it cuts into the piece is not.");
         }
 
-        switches.Lead(meaning, word);
+        Compensation.Lead(meaning, word);
         control.Mode(MotionKind.Spline);
         control.State.Form = leaves ? NcMeaning.Departure : NcMeaning.Approach;
     }
@@ -277,14 +265,18 @@ internal sealed class BlockCodes(
     {
         var isLead = meaning is NcMeaning.Approach or NcMeaning.Departure
             or (>= NcMeaning.ApproachTangent and <= NcMeaning.DepartureNormal);
-        intent.NamesMotion |= isLead || meaning is NcMeaning.Line or NcMeaning.Rapid or NcMeaning.TangentArc
+        control.Intent.NamesMotion |= isLead || meaning is NcMeaning.Line or NcMeaning.Rapid or NcMeaning.TangentArc
             or (>= NcMeaning.ArcByRadius and <= NcMeaning.PolarTangentArc);
         switch (meaning)
         {
             case var _ when isLead: NameLead(meaning, word ?? ""); break;
             case >= NcMeaning.ArcByRadius and <= NcMeaning.PolarTangentArc: NameMotion(meaning); break;
             case NcMeaning.RapidInBlock:
-                control.State.Mode = intent.NamesMotion && control.State.Mode == MotionKind.Line ? MotionKind.Rapid : control.State.Mode;
+                if (control.Intent.NamesMotion && control.State.Mode == MotionKind.Line)
+                {
+                    control.State.Mode = MotionKind.Rapid;
+                }
+
                 break;
             case NcMeaning.Rapid: control.Mode(MotionKind.Rapid); break;
             case NcMeaning.Line: control.Mode(MotionKind.Line); break;
@@ -306,22 +298,22 @@ internal sealed class BlockCodes(
                 break;
             case NcMeaning.RetractToInitial: control.State.RetractsToR = false; break;
             case NcMeaning.RetractToR: control.State.RetractsToR = true; break;
-            case NcMeaning.PlaneXY: switches.Plane(CoordinatePlane.XY); break;
-            case NcMeaning.PlaneZX: switches.Plane(CoordinatePlane.ZX); break;
-            case NcMeaning.PlaneYZ: switches.Plane(CoordinatePlane.YZ); break;
+            case NcMeaning.PlaneXY: Compensation.Plane(CoordinatePlane.XY); break;
+            case NcMeaning.PlaneZX: Compensation.Plane(CoordinatePlane.ZX); break;
+            case NcMeaning.PlaneYZ: Compensation.Plane(CoordinatePlane.YZ); break;
             case NcMeaning.Absolute: control.Distance(incremental: false); break;
             case NcMeaning.Incremental: control.Distance(incremental: true); break;
             case NcMeaning.AbsoluteCenters: control.State.AbsoluteCenters = true; break;
             case NcMeaning.IncrementalCenters: control.State.AbsoluteCenters = false; break;
             case >= NcMeaning.CompensationOff and <= NcMeaning.CompensationRight
                 or >= NcMeaning.CompensationLeftByDiameter and <= NcMeaning.CompensationUnfollowed:
-                switches.Apply(meaning, word);
+                Compensation.Apply(meaning, word);
                 break;
             case NcMeaning.InverseTimeFeed: control.State.InverseTime = true; break;
             case NcMeaning.FeedPerMinute or NcMeaning.FeedPerRevolution: control.State.InverseTime = false; break;
             default:
-                result.Problem("unknown-code", "What a word of this block means is not followed here.", MotionFlags.UnknownWord);
-                layers.Forget();
+                control.Result.Problem("unknown-code", "What a word of this block means is not followed here.", MotionFlags.UnknownWord);
+                control.Layers.Forget();
                 break;
         }
     }

@@ -5,16 +5,7 @@ namespace ErrorMatching.Nc;
 
 /// <summary>Cycles that a G code runs once, in its block: patterns of bolt holes, which are followed, and pockets, engraving, measuring
 /// and homing, which are not.</summary>
-internal sealed class BlockCycles(
-    ControlState control,
-    BlockValues values,
-    CoordinateLayers layers,
-    RunResult result,
-    BlockIntent intent,
-    MotionWriter writer,
-    EndPoints ends,
-    Corners corners,
-    CannedCycles canned)
+internal sealed class BlockCycles(NcControl control, Corners corners, CannedCycles canned)
 {
     private const double FullCircle = 360;
 
@@ -22,8 +13,8 @@ internal sealed class BlockCycles(
     public void Run(MotionFlags flags)
     {
         corners.Lose();
-        result.DependOnPlace();
-        if (intent.Code is NcMeaning.BoltCircle or NcMeaning.BoltArc or NcMeaning.BoltLine && Places() is { } places)
+        control.Result.DependOnPlace();
+        if (control.Intent.Code is NcMeaning.BoltCircle or NcMeaning.BoltArc or NcMeaning.BoltLine && Places() is { } places)
         {
             canned.DrillAt(flags, places);
 
@@ -32,11 +23,11 @@ internal sealed class BlockCycles(
             return;
         }
 
-        result.Note("cycle-not-followed", $"{NameOfCode()} is not followed: what it does is the control's affair.");
-        writer.Append(MotionKind.Cycle, flags | MotionFlags.Cycle, control.State.Position, AxisSet.All);
-        if (intent.Code == NcMeaning.Unsure)
+        control.Result.Note("cycle-not-followed", $"{NameOfCode()} is not followed: what it does is the control's affair.");
+        control.Moves.Append(MotionKind.Cycle, flags | MotionFlags.Cycle, control.State.Position, AxisSet.All);
+        if (control.Intent.Code == NcMeaning.Unsure)
         {
-            layers.Forget();
+            control.Layers.Forget();
         }
     }
 
@@ -45,11 +36,11 @@ internal sealed class BlockCycles(
     // read.
     private List<Point2>? Places()
     {
-        var words = values.Words;
-        var isArc = intent.Code == NcMeaning.BoltArc;
+        var words = control.Words;
+        var isArc = control.Intent.Code == NcMeaning.BoltArc;
         var needed = BlockWords.Bit('I') | BlockWords.Bit('L') | (isArc ? BlockWords.Bit('K') : 0);
         var plane = control.State.Plane;
-        var (center, unknown) = ends.Target();
+        var (center, unknown) = control.Moves.Target();
         var isKnown = canned.CanDrillAt
             && plane == CoordinatePlane.XY
             && (words.Present & needed) == needed
@@ -58,14 +49,14 @@ internal sealed class BlockCycles(
             && IsPlainAngle('J')
             && (!isArc || IsPlainAngle('K'));
         var number = words.Has('L') ? words.Value('L') : 0;
-        if (!isKnown || !(number is >= 1 and <= CycleSteps.Most) || number != Math.Floor(number))
+        if (!isKnown || !(number is >= 1 and <= ProgramRun.MostHoles) || number != Math.Floor(number))
         {
             return null;
         }
 
         var step = isArc ? words.Value('K') : FullCircle / number;
         var first = words.Has('J') ? words.Value('J') : 0;
-        var (length, isLine, start) = (values.Length('I'), intent.Code == NcMeaning.BoltLine, plane.Project(center));
+        var (length, isLine, start) = (control.Values.Length('I'), control.Intent.Code == NcMeaning.BoltLine, plane.Project(center));
         var places = new List<Point2>((int)number);
         for (var i = 0; i < number; i++)
         {
@@ -79,13 +70,13 @@ internal sealed class BlockCycles(
 
     // A setting of the control can make an angle without a point count thousandths.
     private bool IsPlainAngle(char letter) =>
-        !values.Words.Has(letter) || (values.Words.Integers & BlockWords.Bit(letter)) == 0 || values.Words.Value(letter) == 0;
+        !control.Words.Has(letter) || (control.Words.Integers & BlockWords.Bit(letter)) == 0 || control.Words.Value(letter) == 0;
 
     private string NameOfCode()
     {
-        foreach (var tenths in values.Words.Codes)
+        foreach (var tenths in control.Words.Codes)
         {
-            if (values.Dialect.MeaningOf(tenths) == intent.Code)
+            if (control.Dialect.MeaningOf(tenths) == control.Intent.Code)
             {
                 return "G" + (tenths / 10m).ToString(CultureInfo.InvariantCulture);
             }

@@ -9,95 +9,67 @@ internal sealed class BlockExecutor
     private const uint StraightLetters = BlockWords.LinearAxes | (1u << ('N' - 'A')) | (1u << ('F' - 'A'));
     private const uint CutLetters = BlockWords.CenterWords | (1u << ('R' - 'A'));
 
-    private readonly ControlState _control;
+    private readonly NcControl _control;
+    private readonly NcDialect _dialect;
+    private readonly BlockWords _words;
+    private readonly BlockValues _values;
+    private readonly BlockIntent _intent;
     private readonly ProgramRun _run;
     private readonly RunResult _result;
-    private readonly BlockValues _values;
-    private readonly BlockWords _words;
-    private readonly NcDialect _dialect;
     private readonly ProgramTransforms _transforms;
-    private readonly MotionWriter _writer;
-    private readonly BlockIntent _intent = new();
-    private readonly EndPoints _ends;
+    private readonly ToolMoves _moves;
     private readonly Corners _corners;
+    private readonly PolarEnds _polar;
+    private readonly PoleCodes _pole;
     private readonly Arcs _arcs;
     private readonly CannedCycles _canned;
     private readonly BlockCycles _cycles;
-    private readonly PolarEnds _polar;
     private readonly CycleCalls _calls;
     private readonly MachineMoves _machine;
-    private readonly ModeMemory _memory;
     private readonly OriginCodes _origins;
+    private readonly ModeMemory _memory;
     private readonly BlockCodes _codes;
     private readonly BlockObstacles _obstacles;
-    private readonly ControlRefusals _refusals;
-    private readonly PoleCodes _pole;
-    private readonly ToolLengthCodes _lengths;
     private readonly ModeWords _modeWords;
     private readonly uint _straightLetters;
     private readonly uint _axes;
     private readonly uint _cutLetters;
 
-    public BlockExecutor(ControlState control, ProgramRun run, RunResult result)
+    public BlockExecutor(NcControl control)
     {
-        (_control, _run, _result, _dialect) = (control, run, result, run.Dialect);
-        var values = _values = new(_dialect, control);
-        var layers = Layers = new(control, result, run);
-        var steps = new CycleSteps();
-        (_words, _transforms) = (values.Words, layers.Transforms);
-        _writer = new(control, layers, result);
-        _pole = new(control, values, result);
-        Refusals = _refusals = new(control, values, result, layers, _intent);
-        _ends = new(control, values, layers, _intent);
-        _corners = new(control, values, layers, result, _writer);
-        _arcs = new(control, values, layers, result, _writer, _corners, _pole);
-        _canned = new(control, values, result, _writer, _ends, new(control, values, _writer), steps, _refusals);
-        _polar = new(control, values);
-        _cycles = new(control, values, layers, result, _intent, _writer, _ends, _corners, _canned);
-        _calls = new(control, run, result, _writer, _corners, new(control, _writer, steps), new(control, steps));
-        _machine = new(control, values, layers, result, _writer, _intent, _ends, _corners);
-
-        var transforms = new TransformCodes(control, values, layers, result);
-        var lengths = _lengths = new ToolLengthCodes(control, values, layers);
-        var offsets = new OffsetCodes(control, values, layers, result);
-        _memory = new(control, values, run, layers, result, offsets, lengths, transforms);
-        _origins = new(_intent, layers, result, _corners, new(values, layers), offsets, lengths, transforms);
-        var tool = new CalledTool(control, values);
-        Compensation = new(control, values, tool, result);
-        _codes = new(
-            control, values, run, layers, result, _intent, offsets, lengths, transforms, _machine, _canned, _memory, Compensation);
-
-        _modeWords = new(control, values, run);
-        Reader = new(values, run);
-        Switches = new(values, run, layers, result, Reader);
-        SystemCommands = new(_dialect, run, layers, result, _writer, control);
-        Steering = new(values, run);
-        Integers = new(run.Program, values);
-        var statements = new BlockStatements(control, values, run, layers, result, _codes, _calls, _intent, tool, lengths);
-        _obstacles = new(control, values, run, layers, result, statements, Switches);
+        (_control, _dialect, _words, _values, _intent) = (control, control.Dialect, control.Words, control.Values, control.Intent);
+        (_run, _result, _moves, _transforms) = (control.Run, control.Result, control.Moves, control.Layers.Transforms);
+        Refusals = new(control);
+        Steering = new(control);
+        Integers = new(control);
+        _modeWords = new(control);
+        _corners = new(control);
+        _polar = new(control);
+        _pole = new(control);
+        _arcs = new(control, _corners, _pole);
+        _canned = new(control, Refusals);
+        _cycles = new(control, _corners, _canned);
+        _calls = new(control, _corners);
+        _machine = new(control, _corners);
+        _origins = new(control, _corners);
+        _memory = new(control, _origins);
+        _codes = new(control, _origins, _machine, _canned);
+        _obstacles = new(control, new(control, _codes, _calls), Steering);
 
         // A rotary axis that moves along only marks the motion: its place is not followed.
-        _straightLetters = (StraightLetters | values.OtherAxes) & ~values.UnknownLetters;
-        _axes = BlockWords.LinearAxes | values.OtherAxes;
-        _cutLetters = _straightLetters | (CutLetters & ~(values.OtherAxes | values.UnknownLetters));
-        run.Returned = _memory.Return;
+        _straightLetters = (StraightLetters | _values.OtherAxes) & ~_values.UnknownLetters;
+        _axes = BlockWords.LinearAxes | _values.OtherAxes;
+        _cutLetters = _straightLetters | (CutLetters & ~(_values.OtherAxes | _values.UnknownLetters));
+        _run.Returned = _memory.Return;
     }
-
-    public CoordinateLayers Layers { get; }
-
-    public BlockReader Reader { get; }
 
     public ControlRefusals Refusals { get; }
 
-    public MachineSwitches Switches { get; }
-
-    public SystemCommands SystemCommands { get; }
-
-    public SteeringWords Steering { get; }
-
-    public CompensationWords Compensation { get; }
+    public BlockSteering Steering { get; }
 
     public IntegerWords Integers { get; }
+
+    public CompensationWords Compensation => _codes.Compensation;
 
     /// <summary>True if the executed block moved an axis.</summary>
     public bool Moved => _intent.Use == AxisUse.Motion && _values.MovesAxes();
@@ -164,21 +136,21 @@ internal sealed class BlockExecutor
                 return false;
             }
 
-            if (!_refusals.PassStraight(hasCode: true, meaning == NcMeaning.Line))
+            if (!Refusals.PassStraight(hasCode: true, meaning == NcMeaning.Line))
             {
                 return false;
             }
 
             _control.Mode(meaning == NcMeaning.Rapid ? MotionKind.Rapid : MotionKind.Line);
         }
-        else if (state.Mode is not (MotionKind.Rapid or MotionKind.Line) || !_refusals.PassStraight(hasCode: false, isLine: false))
+        else if (state.Mode is not (MotionKind.Rapid or MotionKind.Line) || !Refusals.PassStraight(hasCode: false, isLine: false))
         {
             return false;
         }
 
         if (_words.Has('F'))
         {
-            state.Feed = _words.Value('F') * (state.InchFeed && !state.InverseTime ? ControlState.MmPerInch : 1);
+            state.Feed = _words.Value('F') * (state.InchFeed && !state.InverseTime ? NcControl.MmPerInch : 1);
         }
 
         if ((_words.Present & _axes) != 0)
@@ -191,7 +163,7 @@ internal sealed class BlockExecutor
             var given = _words.Present & BlockWords.LinearAxes;
             var incremental = state.Incremental ? given : 0;
             var flags = (_words.Present & _values.OtherAxes) != 0 ? MotionFlags.OtherAxis : MotionFlags.None;
-            _writer.AppendStraight(
+            _moves.AppendStraight(
                 flags, _values.End(state.Position, given, incremental), state.Unknown & ~BlockWords.AxesOf(given & ~incremental));
         }
 
@@ -222,7 +194,7 @@ internal sealed class BlockExecutor
                 break;
             case AxisUse.Motion when _values.ListsIdleMoves && _values.StatesStraightMotion():
                 // LinuxCNC adds a motion that stays in place.
-                _writer.Append(_control.State.Mode, flags, _control.State.Position, _control.State.Unknown);
+                _moves.Append(_control.State.Mode, flags, _control.State.Position, _control.State.Unknown);
                 break;
             case AxisUse.MachineCoordinates when _values.MovesAxes():
                 _machine.Move(flags);
@@ -252,7 +224,7 @@ internal sealed class BlockExecutor
             _calls.RunBehind(Moved);
         }
 
-        _refusals.EndBlock();
+        Refusals.EndBlock();
     }
 
     // A departure moves without coordinates, too: to a place that the control computes.
@@ -269,7 +241,7 @@ internal sealed class BlockExecutor
         if ((_words.Present & _values.ToolCalls) != 0 || (_words.Computed & _values.ToolCalls) != 0)
         {
             _result.ChangeTool();
-            _lengths.TakeFromTable();
+            _origins.Lengths.TakeFromTable();
             _control.State.Unknown = AxisSet.All;
         }
 
@@ -287,7 +259,7 @@ internal sealed class BlockExecutor
 
         if (!_intent.NamesMotion && _values.MovesAxes())
         {
-            Layers.Forget();
+            _control.Layers.Forget();
             _intent.Use = AxisUse.Nothing;
             return _result.Problem("unknown-word", "Coordinates without a path function: what moves here is not known.",
                 MotionFlags.UnknownWord);
@@ -309,7 +281,8 @@ internal sealed class BlockExecutor
         var saves = modes is FunctionRole.SaveModes or FunctionRole.SaveModesOfCall;
         var before = saves ? _memory.Now(atReturn: modes == FunctionRole.SaveModesOfCall) : default;
         var inchFeed = _control.State.InchFeed;
-        flags |= _codes.ReadCodes() | _codes.ReadFunctions() | _refusals.Read();
+        flags |= _codes.ReadCodes() | _codes.ReadFunctions() | Refusals.Read();
+        _memory.Drop();
         if (_intent.Use is not (AxisUse.Nothing or AxisUse.Corner))
         {
             ReadNumbers(inchFeed);
@@ -335,7 +308,7 @@ internal sealed class BlockExecutor
             // LinuxCNC applies the feed of a block before its units.
             ref var state = ref _control.State;
             var inchFeed = _dialect.Syntax == NcSyntax.LinuxCnc ? inchFeedBefore : state.InchFeed;
-            state.Feed = _words.Value('F') * (inchFeed && !state.InverseTime ? ControlState.MmPerInch : 1);
+            state.Feed = _words.Value('F') * (inchFeed && !state.InverseTime ? NcControl.MmPerInch : 1);
         }
     }
 
@@ -357,8 +330,8 @@ internal sealed class BlockExecutor
         var kind = _intent.Probes ? MotionKind.Probe : state.Mode;
         var plane = state.Plane;
         state.WorksInXY = _dialect.BlocksNameMotions ? plane == CoordinatePlane.XY : state.WorksInXY;
-        state.Plane = _pole.PlaneOf(_intent);
-        var (end, unknown) = _words.HasPolarEnd ? PolarTarget(kind, ref flags) : _intent.AboutPole ? _pole.Target() : _ends.Target();
+        state.Plane = _pole.Plane;
+        var (end, unknown) = _words.HasPolarEnd ? PolarTarget(kind, ref flags) : _intent.AboutPole ? _pole.Target() : _moves.Target();
         unknown |= EndsSomewhere() && !_words.IsPolar ? state.Plane.Axes() & ~_values.GivenAxes() : AxisSet.None;
         if (kind is MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise)
         {
@@ -372,7 +345,7 @@ internal sealed class BlockExecutor
         {
             flags |= _control.SwitchCompensation(state.Plane.Project(state.Position) != state.Plane.Project(end) || EndsSomewhere());
             _corners.Cut(kind, flags, end, unknown, null);
-            _writer.Append(kind, flags, end, unknown);
+            _moves.Append(kind, flags, end, unknown);
         }
 
         state.Plane = plane;
@@ -385,7 +358,7 @@ internal sealed class BlockExecutor
 
     private (Point3 End, AxisSet Unknown) PolarTarget(MotionKind kind, ref MotionFlags flags)
     {
-        var (given, unknown) = _ends.Target();
+        var (given, unknown) = _moves.Target();
         if (_polar.End(kind) is { } end)
         {
             return (end, unknown & ~_control.State.Plane.Axes());

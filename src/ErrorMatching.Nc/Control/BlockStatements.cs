@@ -4,17 +4,7 @@ using System.Text;
 namespace ErrorMatching.Nc;
 
 /// <summary>Handles words of several letters (commands, cycles, addresses, variables) by the dialect's table.</summary>
-internal sealed class BlockStatements(
-    ControlState control,
-    BlockValues values,
-    ProgramRun run,
-    CoordinateLayers layers,
-    RunResult result,
-    BlockCodes codes,
-    CycleCalls calls,
-    BlockIntent intent,
-    CalledTool tool,
-    ToolLengthCodes lengths)
+internal sealed class BlockStatements(NcControl control, BlockCodes codes, CycleCalls calls)
 {
     // Of the data of tools: type, edge and what concerns the radius alone. That of cutter compensation is stated apart.
     private static readonly string[] HarmlessToolData =
@@ -25,13 +15,13 @@ internal sealed class BlockStatements(
     public MotionFlags Read()
     {
         var flags = MotionFlags.None;
-        foreach (var statement in values.Words.Statements)
+        foreach (var statement in control.Words.Statements)
         {
             flags |= statement.Kind switch
             {
                 NcTokenKind.Keyword => ReadKeyword(statement),
                 NcTokenKind.Assignment => ReadAssignment(statement),
-                NcTokenKind.Expression when run.BytesOf(statement)[0] == '<' => ReadProgramName(statement),
+                NcTokenKind.Expression when control.Run.BytesOf(statement)[0] == '<' => ReadProgramName(statement),
                 _ => MotionFlags.None,
             };
         }
@@ -41,51 +31,51 @@ internal sealed class BlockStatements(
 
     private MotionFlags ReadKeyword(NcToken statement)
     {
-        var name = run.NameOf(statement);
-        if (run.Text.Bytes.Span[statement.End - 1] == ':')
+        var name = control.Run.NameOf(statement);
+        if (control.Run.Text.Bytes.Span[statement.End - 1] == ':')
         {
             return MotionFlags.None;
         }
 
-        if (values.Dialect.IsFlow(name) || values.Dialect.IsFlow(name.TrimEnd("0123456789"u8)))
+        if (control.Dialect.IsFlow(name) || control.Dialect.IsFlow(name.TrimEnd("0123456789"u8)))
         {
             // This one is not followed; those that are followed do not get here.
-            layers.Forget();
-            return result.UnknownWord(run.TextOf(statement).ToUpperInvariant());
+            control.Layers.Forget();
+            return control.Result.UnknownWord(control.Run.TextOf(statement).ToUpperInvariant());
         }
 
-        switch (values.Dialect.MeaningOf(name))
+        switch (control.Dialect.MeaningOf(name))
         {
             case NcMeaning.Unknown:
-                layers.Forget();
+                control.Layers.Forget();
                 if (calls.NextIsModal)
                 {
                     // Any such call runs after every motion.
                     calls.Call(statement);
                 }
 
-                return result.UnknownWord(run.TextOf(statement).ToUpperInvariant());
+                return control.Result.UnknownWord(control.Run.TextOf(statement).ToUpperInvariant());
             case NcMeaning.ModalCycle:
                 calls.BeginModal();
                 return MotionFlags.None;
             case NcMeaning.OpaqueCall:
-                run.Flow.RefuseCall(run.At, NcText.Decode(name).ToUpperInvariant());
+                control.Run.Flow.RefuseCall(control.Run.At, NcText.Decode(name).ToUpperInvariant());
                 return MotionFlags.None;
             case NcMeaning.CycleCall:
                 calls.Call(statement);
                 return MotionFlags.None;
             case NcMeaning.ArcSense:
-                codes.TakeSense(run.BytesOf(statement));
+                codes.TakeSense(control.Run.BytesOf(statement));
                 TakeOversize(statement, name.Length);
                 return MotionFlags.None;
             case NcMeaning.ToolDefinition:
-                tool.Define(run.TextOf(statement));
+                codes.Compensation.DefineTool(control.Run.TextOf(statement));
                 return MotionFlags.None;
             case NcMeaning.OpaqueTransform when HasNoArguments(statement):
-                codes.Apply(NcMeaning.OpaqueTransformOff, values.Dialect.FamilyOf(name));
+                codes.Apply(NcMeaning.OpaqueTransformOff, control.Dialect.FamilyOf(name));
                 return MotionFlags.None;
             case var meaning:
-                codes.Apply(meaning, values.Dialect.FamilyOf(name), IsOfCompensation(meaning) ? SpellingOf(statement) : null);
+                codes.Apply(meaning, control.Dialect.FamilyOf(name), IsOfCompensation(meaning) ? SpellingOf(statement) : null);
                 return MotionFlags.None;
         }
     }
@@ -94,56 +84,56 @@ internal sealed class BlockStatements(
         or (>= NcMeaning.CompensationOff and <= NcMeaning.CompensationRight)
         or (>= NcMeaning.CompensationLeftByDiameter and <= NcMeaning.DepartureNormal);
 
-    private string SpellingOf(NcToken statement) => run.TextOf(statement).ToUpperInvariant();
+    private string SpellingOf(NcToken statement) => control.Run.TextOf(statement).ToUpperInvariant();
 
     // In a tool call, the word that names the sense of an arc elsewhere is what is added to the radius.
     private void TakeOversize(NcToken word, int nameLength)
     {
         var text = SpellingOf(word)[nameLength..];
-        intent.Oversize = double.TryParse(text, NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint,
+        control.Intent.Oversize = double.TryParse(text, NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint,
             CultureInfo.InvariantCulture, out var oversize) && text[0] is '+' or '-' ? oversize : double.NaN;
     }
 
     // The flow reads the name of a called program, and that at the head of a program.
     private MotionFlags ReadProgramName(NcToken statement)
     {
-        foreach (var function in values.Words.Functions)
+        foreach (var function in control.Words.Functions)
         {
-            if (values.Dialect.FunctionOf(function) == FunctionRole.Call)
+            if (control.Dialect.FunctionOf(function) == FunctionRole.Call)
             {
                 return MotionFlags.None;
             }
         }
 
-        foreach (var code in values.Words.Codes)
+        foreach (var code in control.Words.Codes)
         {
-            if (values.Dialect.MeaningOf(code) is NcMeaning.Call or NcMeaning.ModalCall)
+            if (control.Dialect.MeaningOf(code) is NcMeaning.Call or NcMeaning.ModalCall)
             {
                 return MotionFlags.None;
             }
         }
 
-        layers.Forget();
-        return result.UnknownWord(run.TextOf(statement));
+        control.Layers.Forget();
+        return control.Result.UnknownWord(control.Run.TextOf(statement));
     }
 
     // CYCLE800() cancels what CYCLE800(..) set.
     private bool HasNoArguments(NcToken statement)
     {
-        var bytes = run.BytesOf(statement);
+        var bytes = control.Run.BytesOf(statement);
         return bytes.IndexOf((byte)'(') is > 0 and var open && bytes[open..].IndexOfAnyExcept("() \t"u8) < 0;
     }
 
     private MotionFlags ReadAssignment(NcToken statement)
     {
-        var bytes = run.BytesOf(statement);
-        if (!values.Dialect.HasMacros)
+        var bytes = control.Run.BytesOf(statement);
+        if (!control.Dialect.HasMacros)
         {
-            layers.Forget();
-            return result.UnknownWord(run.TextOf(statement));
+            control.Layers.Forget();
+            return control.Result.UnknownWord(control.Run.TextOf(statement));
         }
 
-        if (values.Dialect.Syntax != NcSyntax.Siemens)
+        if (control.Dialect.Syntax != NcSyntax.Siemens)
         {
             return MotionFlags.None;
         }
@@ -154,34 +144,34 @@ internal sealed class BlockStatements(
             return MotionFlags.None;
         }
 
-        var name = run.NameOf(statement);
+        var name = control.Run.NameOf(statement);
         if (Ascii.EqualsIgnoreCase(name, "RPL"u8))
         {
             var equals = bytes.IndexOf((byte)'=') + 1;
-            values.Words.PlaneAngle = run.Compute(statement.Start + equals, statement.Length - equals) ?? double.NaN;
+            control.Words.PlaneAngle = control.Run.Compute(statement.Start + equals, statement.Length - equals) ?? double.NaN;
             return MotionFlags.None;
         }
 
-        switch (name.Length == 1 ? values.Dialect.RoleOf((byte)(name[0] & ~0x20)) : values.Dialect.RoleOf(name))
+        switch (name.Length == 1 ? control.Dialect.RoleOf((byte)(name[0] & ~0x20)) : control.Dialect.RoleOf(name))
         {
             case LetterRole.Length:
-                lengths.TakeFromTable();
+                codes.Apply(NcMeaning.LengthOffset, 0);
                 return MotionFlags.None;
             case LetterRole.OtherAxis when name.Length > 1:
                 return MotionFlags.OtherAxis;
             case LetterRole.PolarEnd:
                 control.State.Unknown |= control.State.Plane.Axes();
-                return result.UnknownWord(run.TextOf(statement));
+                return control.Result.UnknownWord(control.Run.TextOf(statement));
             case LetterRole.PolarRadius or LetterRole.PolarAngle or LetterRole.LineAngle:
-                var role = values.Dialect.RoleOf(name);
+                var role = control.Dialect.RoleOf(name);
                 var at = bytes.IndexOf((byte)'=') + 1;
                 var value = IsDistance(bytes[at..]) ? double.NaN
-                    : run.Compute(statement.Start + at, statement.Length - at) ?? double.NaN;
+                    : control.Run.Compute(statement.Start + at, statement.Length - at) ?? double.NaN;
                 switch (role)
                 {
-                    case LetterRole.PolarRadius: values.Words.PoleRadius = value; break;
-                    case LetterRole.PolarAngle: values.Words.PoleAngle = value; break;
-                    default: values.Words.LineAngle = value; break;
+                    case LetterRole.PolarRadius: control.Words.PoleRadius = value; break;
+                    case LetterRole.PolarAngle: control.Words.PoleAngle = value; break;
+                    default: control.Words.LineAngle = value; break;
                 }
 
                 return MotionFlags.None;
@@ -189,20 +179,20 @@ internal sealed class BlockStatements(
                 return MotionFlags.None;
         }
 
-        if (values.Dialect.MeaningOf(name) is not NcMeaning.Unknown and var meaning)
+        if (control.Dialect.MeaningOf(name) is not NcMeaning.Unknown and var meaning)
         {
-            codes.Apply(meaning, values.Dialect.FamilyOf(name));
+            codes.Apply(meaning, control.Dialect.FamilyOf(name));
             return MotionFlags.None;
         }
 
-        if (run.IsVariable(name))
+        if (control.Run.IsVariable(name))
         {
             return MotionFlags.None;
         }
 
         // It could be an axis with another name.
         control.State.Unknown = AxisSet.All;
-        return result.UnknownWord(run.TextOf(statement));
+        return control.Result.UnknownWord(control.Run.TextOf(statement));
     }
 
     // AC(..) and IC(..)
@@ -219,17 +209,17 @@ internal sealed class BlockStatements(
         {
             if (!BeginsWithOneOf(name, HarmlessToolData))
             {
-                lengths.TakeFromTable();
+                codes.Apply(NcMeaning.LengthOffset, 0);
             }
         }
         else if (!BeginsWithOneOf(name, ["$A_", "$AC_MARKER", "$AC_PARAM", "$AC_TIMER"]))
         {
             if (BeginsWithOneOf(name, ["$P_"]) && !BeginsWithOneOf(name, ["$P_UIFR", "$P_UBFR", "$P_CHBFR", "$P_NCBFR", "$P_BFR"]))
             {
-                codes.Apply(NcMeaning.OpaqueTransform, values.Dialect.FamilyOf("CTRANS"u8));
+                codes.Apply(NcMeaning.OpaqueTransform, control.Dialect.FamilyOf("CTRANS"u8));
             }
 
-            layers.LoseOrigin();
+            control.Layers.LoseOrigin();
         }
     }
 

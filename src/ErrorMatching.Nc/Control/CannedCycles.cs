@@ -3,19 +3,13 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <summary>Converts canned cycles to their motions.</summary>
-internal sealed class CannedCycles(
-    ControlState control,
-    BlockValues values,
-    RunResult result,
-    MotionWriter writer,
-    EndPoints ends,
-    BoreRetraction wall,
-    CycleSteps steps,
-    ControlRefusals refusals)
+internal sealed class CannedCycles(NcControl control, ControlRefusals refusals)
 {
     /// <summary>Distance above the last depth at which a rapid ends in a deep hole, mm: LinuxCNC's 0.010 inch. Other controls have a
     /// parameter for it (assumed equal).</summary>
     private const double PeckClearanceMm = 0.254;
+
+    private readonly BoreRetraction _retraction = new(control);
 
     // The tool's height when the first cycle began, and the modal words of the cycle.
     private double _initial;
@@ -23,7 +17,7 @@ internal sealed class CannedCycles(
     private AxisSet _unknown;
     private bool _pecksVary;
 
-    private bool RepeatsByK => !wall.ShiftsByK && (values.Dialect.PeckLetters & BlockWords.Bit('K')) == 0;
+    private bool RepeatsByK => !_retraction.ShiftsByK && (control.Dialect.PeckLetters & BlockWords.Bit('K')) == 0;
 
     /// <summary>Switches to a cycle.</summary>
     public void Begin(NcMeaning meaning)
@@ -33,7 +27,7 @@ internal sealed class CannedCycles(
             _initial = control.State.Plane.Height(control.State.Position);
             _words = default;
             _pecksVary = false;
-            wall.Begin();
+            _retraction.Begin();
             _unknown = AxisSet.All;
         }
 
@@ -48,7 +42,7 @@ internal sealed class CannedCycles(
         var plane = control.State.Plane;
         var axis = plane switch { CoordinatePlane.ZX => 'Y', CoordinatePlane.YZ => 'X', _ => 'Z' };
         var toolAxis = AxisSet.All & ~plane.Axes();
-        var (target, unknown) = ends.Target();
+        var (target, unknown) = control.Moves.Target();
         ReadWords(axis, toolAxis);
         if (control.State.Cycle != NcMeaning.BackBoreCycle && _words.HasPlane && (_unknown & toolAxis) == AxisSet.None)
         {
@@ -58,9 +52,9 @@ internal sealed class CannedCycles(
         if (control.State.Cycle == NcMeaning.TapCycle && plane != CoordinatePlane.XY)
         {
             // Measured with rs274: its feeds use other axes than its rapids.
-            result.Problem("tap-plane", "LinuxCNC 2.9 taps along the wrong axes in G18 and G19: what it does here is not followed.",
+            control.Result.Problem("tap-plane", "LinuxCNC 2.9 taps along the wrong axes in G18 and G19: what it does here is not followed.",
                 MotionFlags.None);
-            writer.Append(MotionKind.Cycle, flags, target, AxisSet.All);
+            control.Moves.Append(MotionKind.Cycle, flags, target, AxisSet.All);
             return;
         }
 
@@ -70,17 +64,17 @@ internal sealed class CannedCycles(
         {
             // It ends over the position, at the height of the retract mode.
             var height = control.State.RetractsToR && control.State.Cycle != NcMeaning.BackBoreCycle ? _words.Plane : _initial;
-            writer.Append(MotionKind.Cycle, flags, plane.Lift(plane.Project(target), height),
+            control.Moves.Append(MotionKind.Cycle, flags, plane.Lift(plane.Project(target), height),
                 (unknown & plane.Axes()) | (isKnown ? AxisSet.None : toolAxis));
             return;
         }
 
-        var times = values.Words.Has('L') ? values.Words.Value('L') : values.Words.Has('K') && RepeatsByK ? values.Words.Value('K')
+        var times = control.Words.Has('L') ? control.Words.Value('L') : control.Words.Has('K') && RepeatsByK ? control.Words.Value('K')
             : 1;
-        steps.Count += times * (1 + PecksOfHole());
-        if (!(steps.Count <= CycleSteps.Most))
+        control.Run.Holes += times * (1 + PecksOfHole());
+        if (!(control.Run.Holes <= ProgramRun.MostHoles))
         {
-            writer.Append(MotionKind.Cycle, flags, target, AxisSet.All);
+            control.Moves.Append(MotionKind.Cycle, flags, target, AxisSet.All);
             return;
         }
 
@@ -96,7 +90,7 @@ internal sealed class CannedCycles(
         for (var i = 0; i < times; i++)
         {
             var place = i == 0 || !control.State.Incremental ? plane.Project(target)
-                : values.Words.IsPolar ? plane.Project(ends.PolarWordsTarget(control.State.Position, control.State.Unknown).End)
+                : control.Words.IsPolar ? plane.Project(control.Moves.PolarWordsTarget(control.State.Position, control.State.Unknown).End)
                 : plane.Project(control.State.Position) + step;
             if (control.State.Cycle == NcMeaning.BackBoreCycle)
             {
@@ -120,9 +114,9 @@ internal sealed class CannedCycles(
         var plane = control.State.Plane;
         var toolAxis = AxisSet.All & ~plane.Axes();
         ReadPlaneAndDepth(plane switch { CoordinatePlane.ZX => 'Y', CoordinatePlane.YZ => 'X', _ => 'Z' }, toolAxis);
-        steps.Count += places.Count * (1 + PecksOfHole());
+        control.Run.Holes += places.Count * (1 + PecksOfHole());
         var isKnown = (control.State.Unknown & toolAxis) == AxisSet.None && (_unknown & toolAxis) == AxisSet.None && _words.HasPlane
-            && steps.Count <= CycleSteps.Most;
+            && control.Run.Holes <= ProgramRun.MostHoles;
         for (var i = 0; i < places.Count; i++)
         {
             if (isKnown)
@@ -131,7 +125,7 @@ internal sealed class CannedCycles(
             }
             else
             {
-                writer.Append(MotionKind.Cycle, flags, plane.Lift(places[i], _words.Plane), toolAxis);
+                control.Moves.Append(MotionKind.Cycle, flags, plane.Lift(places[i], _words.Plane), toolAxis);
             }
         }
     }
@@ -139,29 +133,30 @@ internal sealed class CannedCycles(
     // If coordinates are increments, the R plane is relative to the cycle's initial height, and the depth to the R plane.
     private void ReadWords(char axis, AxisSet toolAxis)
     {
-        wall.Read();
+        _retraction.Read();
         _pecksVary |= control.State.Cycle is NcMeaning.PeckCycle or NcMeaning.ChipBreakCycle
-            && ((values.Words.Present | values.Words.Computed) & values.Dialect.PeckLetters) != 0;
+            && ((control.Words.Present | control.Words.Computed) & control.Dialect.PeckLetters) != 0;
         ReadPlaneAndDepth(axis, toolAxis);
     }
 
     private void ReadPlaneAndDepth(char axis, AxisSet toolAxis)
     {
-        if (values.Words.Has('R'))
+        if (control.Words.Has('R'))
         {
-            _words.Plane = control.State.Incremental ? BlockValues.Sum(_initial, values.Length('R')) : values.Length('R');
+            _words.Plane = control.State.Incremental ? BlockValues.Sum(_initial, control.Values.Length('R')) : control.Values.Length('R');
             _words.HasPlane = true;
         }
 
-        if (values.Words.Has(axis))
+        if (control.Words.Has(axis))
         {
-            _words.Depth = control.State.Incremental ? BlockValues.Sum(_words.Plane, values.Length(axis)) : values.Length(axis);
+            var depth = control.Values.Length(axis);
+            _words.Depth = control.State.Incremental ? BlockValues.Sum(_words.Plane, depth) : depth;
             _unknown &= ~toolAxis;
         }
 
-        _words.Peck = values.Words.Has('Q') ? Math.Abs(values.Length('Q')) : _words.Peck;
-        _unknown |= values.UnknownWords() & toolAxis;
-        if ((values.Words.Unknown & (BlockWords.Bit('R') | BlockWords.Bit('Q'))) != 0)
+        _words.Peck = control.Words.Has('Q') ? Math.Abs(control.Values.Length('Q')) : _words.Peck;
+        _unknown |= control.Values.UnknownWords() & toolAxis;
+        if ((control.Words.Unknown & (BlockWords.Bit('R') | BlockWords.Bit('Q'))) != 0)
         {
             _unknown |= toolAxis;
         }
@@ -173,12 +168,13 @@ internal sealed class CannedCycles(
         var (bottom, top) = (_words.Depth, _words.Plane);
         var clear = control.State.RetractsToR ? top : Math.Max(_initial, top);
         var height = plane.Height(control.State.Position);
-        if (first && values.ListsIdleMoves)
+        if (first && control.Values.ListsIdleMoves)
         {
             // LinuxCNC checks the cycle's initial height, not the tool's.
             if (_initial < top)
             {
-                writer.Append(MotionKind.Rapid, flags, plane.Lift(plane.Project(control.State.Position), top), control.State.Unknown);
+                control.Moves.Append(
+                    MotionKind.Rapid, flags, plane.Lift(plane.Project(control.State.Position), top), control.State.Unknown);
                 height = top;
             }
 
@@ -190,9 +186,9 @@ internal sealed class CannedCycles(
             height = top;
         }
 
-        if (values.ListsIdleMoves || plane.Project(control.State.Position) != place || control.State.Unknown != unknown)
+        if (control.Values.ListsIdleMoves || plane.Project(control.State.Position) != place || control.State.Unknown != unknown)
         {
-            writer.Append(MotionKind.Rapid, flags, plane.Lift(place, height), unknown);
+            control.Moves.Append(MotionKind.Rapid, flags, plane.Lift(place, height), unknown);
         }
 
         if (height != top)
@@ -225,9 +221,9 @@ internal sealed class CannedCycles(
     // From the bottom: shifts off the wall, retracts, and moves back over the hole.
     private void RetractOffWall(MotionFlags flags, Point2 place, AxisSet unknown, double clear)
     {
-        wall.Shift(flags, place, unknown, away: true);
+        _retraction.Shift(flags, place, unknown, away: true);
         ToHeight(MotionKind.Rapid, flags, clear);
-        wall.Shift(flags, place, unknown, away: false);
+        _retraction.Shift(flags, place, unknown, away: false);
     }
 
     // The tool passes the hole shifted off its wall, cuts upwards from the R plane below, and returns to its initial height, regardless
@@ -237,12 +233,12 @@ internal sealed class CannedCycles(
         var plane = control.State.Plane;
         if (plane.Project(control.State.Position) != place || control.State.Unknown != unknown)
         {
-            writer.Append(MotionKind.Rapid, flags, plane.Lift(place, plane.Height(control.State.Position)), unknown);
+            control.Moves.Append(MotionKind.Rapid, flags, plane.Lift(place, plane.Height(control.State.Position)), unknown);
         }
 
-        wall.Shift(flags, place, unknown, away: true);
+        _retraction.Shift(flags, place, unknown, away: true);
         ToHeight(MotionKind.Rapid, flags, _words.Plane);
-        wall.Shift(flags, place, unknown, away: false);
+        _retraction.Shift(flags, place, unknown, away: false);
         ToHeight(MotionKind.Line, flags, _words.Depth);
         RetractOffWall(flags, place, unknown, _initial);
     }
@@ -270,9 +266,9 @@ internal sealed class CannedCycles(
     private void ToHeight(MotionKind kind, MotionFlags flags, double height)
     {
         var plane = control.State.Plane;
-        if (values.ListsIdleMoves || plane.Height(control.State.Position) != height)
+        if (control.Values.ListsIdleMoves || plane.Height(control.State.Position) != height)
         {
-            writer.Append(kind, flags, plane.Lift(plane.Project(control.State.Position), height), control.State.Unknown);
+            control.Moves.Append(kind, flags, plane.Lift(plane.Project(control.State.Position), height), control.State.Unknown);
         }
     }
 }
@@ -280,7 +276,7 @@ internal sealed class CannedCycles(
 /// <summary>How boring cycles take the tip off the wall at the bottom: the spindle stops in one orientation, the tool shifts away from
 /// the tip, retracts, and shifts back (Fanuc G76, G87). Q gives the distance, but a machine parameter gives the direction; then the place
 /// in the plane is unknown while the tool is shifted. I, J and K give both.</summary>
-internal sealed class BoreRetraction(ControlState control, BlockValues values, MotionWriter writer)
+internal sealed class BoreRetraction(NcControl control)
 {
     private Vector2? _shift;
 
@@ -293,7 +289,7 @@ internal sealed class BoreRetraction(ControlState control, BlockValues values, M
 
     /// <summary>True if K is a shift: in G18 and G19, together with the other letter; alone it is the number of cycle runs.</summary>
     public bool ShiftsByK => control.State.Cycle is NcMeaning.FineBoreCycle or NcMeaning.BackBoreCycle
-        && control.State.Plane != CoordinatePlane.XY && values.Words.Has(ShiftLetters.First) && values.Words.Has(ShiftLetters.Second);
+        && control.State.Plane != CoordinatePlane.XY && control.Words.Has(ShiftLetters.First) && control.Words.Has(ShiftLetters.Second);
 
     /// <summary>Clears the shift: a cycle begins.</summary>
     public void Begin() => _shift = null;
@@ -303,17 +299,17 @@ internal sealed class BoreRetraction(ControlState control, BlockValues values, M
     public void Read()
     {
         var (first, second) = ShiftLetters;
-        var stated = (values.Words.Has(first) ? BlockWords.Bit(first) : 0) | (values.Words.Has(second) ? BlockWords.Bit(second) : 0);
+        var stated = (control.Words.Has(first) ? BlockWords.Bit(first) : 0) | (control.Words.Has(second) ? BlockWords.Bit(second) : 0);
         stated &= ShiftsByK ? uint.MaxValue : ~BlockWords.Bit('K');
-        if (((values.Words.Present | values.Words.Unknown) & BlockWords.Bit('Q')) != 0
-            || (values.Words.Unknown & BlockWords.CenterWords) != 0)
+        if (((control.Words.Present | control.Words.Unknown) & BlockWords.Bit('Q')) != 0
+            || (control.Words.Unknown & BlockWords.CenterWords) != 0)
         {
             _shift = null;
         }
         else if (stated != 0)
         {
-            _shift = new((stated & BlockWords.Bit(first)) != 0 ? values.Length(first) : 0,
-                (stated & BlockWords.Bit(second)) != 0 ? values.Length(second) : 0);
+            _shift = new((stated & BlockWords.Bit(first)) != 0 ? control.Values.Length(first) : 0,
+                (stated & BlockWords.Bit(second)) != 0 ? control.Values.Length(second) : 0);
         }
     }
 
@@ -325,16 +321,7 @@ internal sealed class BoreRetraction(ControlState control, BlockValues values, M
         unknown |= away && _shift is null ? plane.Axes() : AxisSet.None;
 
         // A stated shift is at feed; one by the machine parameter is a rapid.
-        writer.Append(_shift is null ? MotionKind.Rapid : MotionKind.Line, flags, plane.Lift(to, plane.Height(control.State.Position)),
-            unknown);
+        control.Moves.Append(_shift is null ? MotionKind.Rapid : MotionKind.Line, flags,
+            plane.Lift(to, plane.Height(control.State.Position)), unknown);
     }
-}
-
-/// <summary>Counts the holes and pecks of one program.</summary>
-internal sealed class CycleSteps
-{
-    /// <summary>Maximum number that is followed: a block of a few bytes can request any number.</summary>
-    public const int Most = 100_000;
-
-    public double Count { get; set; }
 }

@@ -4,22 +4,24 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <summary>Applies the words of a block that concern cutter compensation, and records them for the path of the tool's center.</summary>
-internal sealed class CompensationWords(ControlState control, BlockValues values, CalledTool tool, RunResult result)
+internal sealed class CompensationWords(NcControl control)
 {
+    private readonly CalledTool _tool = new(control);
+
     private bool IsOn => control.State.Compensation != MotionFlags.None;
 
     /// <summary>Reads the D word, which selects the tool's radius or gives its diameter.</summary>
     public void ReadOffset()
     {
-        var isUnknown = (values.Words.Unknown & BlockWords.Bit('D')) != 0;
-        if (!isUnknown && !values.Words.Has('D'))
+        var isUnknown = (control.Words.Unknown & BlockWords.Bit('D')) != 0;
+        if (!isUnknown && !control.Words.Has('D'))
         {
             // On LinuxCNC, D is for its own block only; without it, the tool in the spindle is meant.
-            control.Offset = values.Dialect.Syntax == NcSyntax.LinuxCnc ? null : control.Offset;
+            control.Offset = control.Dialect.Syntax == NcSyntax.LinuxCnc ? null : control.Offset;
             return;
         }
 
-        control.Offset = isUnknown ? double.NaN : values.Words.Value('D');
+        control.Offset = isUnknown ? double.NaN : control.Words.Value('D');
         if (IsOn && !SwitchesOn())
         {
             Record(NcMeaning.Harmless, "D");
@@ -29,7 +31,7 @@ internal sealed class CompensationWords(ControlState control, BlockValues values
     /// <summary>Records a G code, in tenths, at which the control stops while compensation is on.</summary>
     public void StopAt(int tenths)
     {
-        if (IsOn && values.Dialect.Compensation.StopCodes.Contains(tenths))
+        if (IsOn && control.Dialect.Compensation.StopCodes.Contains(tenths))
         {
             Record(NcMeaning.Unknown, string.Create(CultureInfo.InvariantCulture, $"G{tenths / 10m:0.#}"));
         }
@@ -38,7 +40,7 @@ internal sealed class CompensationWords(ControlState control, BlockValues values
     /// <summary>Records an M function at which the control stops while compensation is on.</summary>
     public void StopAtFunction(int function)
     {
-        if (IsOn && values.Dialect.Compensation.StopFunctions.Contains(function))
+        if (IsOn && control.Dialect.Compensation.StopFunctions.Contains(function))
         {
             Record(NcMeaning.Unknown, string.Create(CultureInfo.InvariantCulture, $"M{function}"));
         }
@@ -77,18 +79,22 @@ internal sealed class CompensationWords(ControlState control, BlockValues values
     /// <param name="word">The word.</param>
     public void Lead(NcMeaning meaning, string word)
     {
-        var isKnown = values.Words.Has('L') && (values.Words.Unknown & BlockWords.Bit('L')) == 0;
-        result.SwitchCompensation(new(0, 0, meaning, word)
+        var isKnown = control.Words.Has('L') && (control.Words.Unknown & BlockWords.Bit('L')) == 0;
+        control.Result.SwitchCompensation(new(0, 0, meaning, word)
         {
-            Length = isKnown ? values.Words.Value('L') * control.Unit : double.NaN,
+            Length = isKnown ? control.Words.Value('L') * control.Unit : double.NaN,
         });
     }
+
+    /// <summary>Stores the radius that the program defines for a tool.</summary>
+    /// <param name="definition">The keyword with all that follows it: TOOL DEF 5 L+10 R+5.</param>
+    public void DefineTool(string definition) => _tool.Define(definition);
 
     /// <summary>Calls the block's tool.</summary>
     /// <param name="oversize">What the block adds to its radius, as programmed; null if it does not say.</param>
     public void CallTool(double? oversize)
     {
-        if (tool.Call(oversize) && IsOn)
+        if (_tool.Call(oversize) && IsOn)
         {
             Record(NcMeaning.CompensationUnfollowed, "TOOL CALL");
         }
@@ -97,7 +103,7 @@ internal sealed class CompensationWords(ControlState control, BlockValues values
     /// <summary>Records that the run goes to another file.</summary>
     public void ChangeFile()
     {
-        if (IsOn && values.Dialect.Compensation.EndsAtCalls)
+        if (IsOn && control.Dialect.Compensation.EndsAtCalls)
         {
             Record(NcMeaning.CompensationUnfollowed, "A call of another program");
         }
@@ -114,9 +120,9 @@ internal sealed class CompensationWords(ControlState control, BlockValues values
 
     private bool SwitchesOn()
     {
-        foreach (var tenths in values.Words.Codes)
+        foreach (var tenths in control.Words.Codes)
         {
-            if (SideOf(values.Dialect.MeaningOf(tenths)) is not (null or MotionFlags.None))
+            if (SideOf(control.Dialect.MeaningOf(tenths)) is not (null or MotionFlags.None))
             {
                 return true;
             }
@@ -125,17 +131,17 @@ internal sealed class CompensationWords(ControlState control, BlockValues values
         return false;
     }
 
-    private void Record(NcMeaning meaning, string word) => result.SwitchCompensation(new(0, 0, meaning, word)
+    private void Record(NcMeaning meaning, string word) => control.Result.SwitchCompensation(new(0, 0, meaning, word)
     {
         Offset = control.Offset,
         Unit = control.Unit,
-        Radius = tool.Radius,
-        Oversize = tool.Oversize,
+        Radius = _tool.Radius,
+        Oversize = _tool.Oversize,
     });
 }
 
 /// <summary>What the program itself says of the radius of the tool that it called: a definition, and the oversize of the call.</summary>
-internal sealed class CalledTool(ControlState control, BlockValues values)
+internal sealed class CalledTool(NcControl control)
 {
     private readonly Dictionary<double, double> _defined = [];
 
@@ -161,11 +167,11 @@ internal sealed class CalledTool(ControlState control, BlockValues values)
     /// <returns>False if the radius stays as it was.</returns>
     public bool Call(double? oversize)
     {
-        var isOther = ((values.Words.Present | values.Words.Computed) & values.ToolCalls) != 0;
+        var isOther = ((control.Words.Present | control.Words.Computed) & control.Values.ToolCalls) != 0;
         if (isOther)
         {
-            var isKnown = values.Words.Has('T') && (values.Words.Unknown & BlockWords.Bit('T')) == 0;
-            control.Offset = isKnown ? values.Words.Value('T') : double.NaN;
+            var isKnown = control.Words.Has('T') && (control.Words.Unknown & BlockWords.Bit('T')) == 0;
+            control.Offset = isKnown ? control.Words.Value('T') : double.NaN;
             Radius = _defined.TryGetValue(control.Offset.Value, out var radius) ? radius : null;
             (Oversize, oversize) = (0, oversize ?? 0);
         }

@@ -6,16 +6,15 @@ namespace ErrorMatching.Nc;
 
 /// <summary>Compares blocks with what the control refuses (<see cref="RefusalTable"/>). A block that it refuses stops the program there:
 /// nothing is known after it, and its motions are not changed.</summary>
-internal sealed class ControlRefusals(
-    ControlState control, BlockValues values, RunResult result, CoordinateLayers layers, BlockIntent intent)
+internal sealed class ControlRefusals(NcControl control)
 {
     /// <summary>Code of a note for a block that the control may refuse, as nobody has looked it up.</summary>
     public const string MayBeRefused = "may-be-refused";
 
-    private readonly RefusalTable _table = values.Dialect.Refusals;
-    private readonly StraightRefusals _straight = values.Dialect.Refusals.Straight;
-    private readonly bool _isFree = values.Dialect.Refusals.Straight.IsFree;
-    private readonly ulong _moves = values.Dialect.Refusals.Straight.RapidBit | values.Dialect.Refusals.Straight.LineBit;
+    private readonly RefusalTable _table = control.Dialect.Refusals;
+    private readonly StraightRefusals _straight = control.Dialect.Refusals.Straight;
+    private readonly bool _isFree = control.Dialect.Refusals.Straight.IsFree;
+    private readonly ulong _moves = control.Dialect.Refusals.Straight.RapidBit | control.Dialect.Refusals.Straight.LineBit;
 
     // The current block is refused.
     private bool _stops;
@@ -31,8 +30,8 @@ internal sealed class ControlRefusals(
         ref var inForce = ref control.State.InForce;
         if (_straight.IsNever || (inForce & _straight.Excluded) != 0 || (inForce & _straight.Needed) != _straight.Needed
             || (!hasCode && _moves != 0 && (inForce & _moves) == 0)
-            || (values.Words.Has('F') && !(values.Words.Value('F') > 0))
-            || (_straight.ChecksNumber && values.Words.Has('N') && !IsNumber()))
+            || (control.Words.Has('F') && !(control.Words.Value('F') > 0))
+            || (_straight.ChecksNumber && control.Words.Has('N') && !IsNumber()))
         {
             return false;
         }
@@ -45,7 +44,7 @@ internal sealed class ControlRefusals(
         return true;
     }
 
-    private bool IsNumber() => (values.Words.Integers & BlockWords.Bit('N')) != 0 && values.Words.Value('N') >= 0;
+    private bool IsNumber() => (control.Words.Integers & BlockWords.Bit('N')) != 0 && control.Words.Value('N') >= 0;
 
     /// <summary>Compares the words of a block, whose codes have been read, with the rules, and applies its codes.</summary>
     public MotionFlags Read()
@@ -58,7 +57,7 @@ internal sealed class ControlRefusals(
 
         ref var inForce = ref control.State.InForce;
         var before = inForce;
-        var words = values.Words;
+        var words = control.Words;
         UInt128 stated = 0;
         foreach (var code in words.Codes)
         {
@@ -96,14 +95,14 @@ internal sealed class ControlRefusals(
     // Words of a call are arguments, and a code that is not known has words that are not known either.
     private bool IsOpen()
     {
-        if (intent.HasUnknownCode || (values.Words.Unknown & (BlockWords.Bit('G') | BlockWords.Bit('M'))) != 0)
+        if (control.Intent.HasUnknownCode || (control.Words.Unknown & (BlockWords.Bit('G') | BlockWords.Bit('M'))) != 0)
         {
             return true;
         }
 
-        foreach (var code in values.Words.Codes)
+        foreach (var code in control.Words.Codes)
         {
-            if (values.Dialect.MeaningOf(code).Steers())
+            if (control.Dialect.MeaningOf(code).Steers())
             {
                 return true;
             }
@@ -114,11 +113,11 @@ internal sealed class ControlRefusals(
 
     private MotionFlags Compare(ulong before, UInt128 stated)
     {
-        var words = values.Words;
+        var words = control.Words;
         var given = ((words.Present | words.Computed) & RefusalTable.AllLetters) | (words.IsPolar ? RefusalTable.Polar : 0);
         var inForce = control.State.InForce;
-        var moves = (stated & _table.Motion) == 0 && intent.Use is AxisUse.Motion or AxisUse.MachineCoordinates
-            && ((given & (BlockWords.LinearAxes | values.OtherAxes | RefusalTable.Polar)) != 0
+        var moves = (stated & _table.Motion) == 0 && control.Intent.Use is AxisUse.Motion or AxisUse.MachineCoordinates
+            && ((given & (BlockWords.LinearAxes | control.Values.OtherAxes | RefusalTable.Polar)) != 0
                 || ((given & BlockWords.CenterWords) != 0 && (inForce & (ulong)_table.ArcCodes) != 0));
 
         // What the block continues; where that is not known, it can be any motion.
@@ -195,8 +194,8 @@ internal sealed class ControlRefusals(
             || (rule.Before != 0 && (rule.Before & block.Before) == 0)
             || (rule.WhileNot != 0 && ((rule.WhileNot & block.InForce) != 0 || (_table.Groups(rule.WhileNot) & block.InForce) == 0))
             || (rule.Ungiven != 0 && (rule.Ungiven & block.InForce) != 0)
-            || (rule.Repeated != 0 && (rule.Repeated & values.Words.Repeated) == 0)
-            || (rule.MostFunctions != int.MaxValue && values.Words.Functions.Length <= rule.MostFunctions)
+            || (rule.Repeated != 0 && (rule.Repeated & control.Words.Repeated) == 0)
+            || (rule.MostFunctions != int.MaxValue && control.Words.Functions.Length <= rule.MostFunctions)
             || (rule.Begins && !Begins(rule, block)))
         {
             return MotionFlags.None;
@@ -221,7 +220,7 @@ internal sealed class ControlRefusals(
     {
         foreach (var (letter, value) in words)
         {
-            if (values.Words.Has(letter) && values.Words.Value(letter) == value)
+            if (control.Words.Has(letter) && control.Words.Value(letter) == value)
             {
                 return true;
             }
@@ -232,9 +231,9 @@ internal sealed class ControlRefusals(
 
     private bool IsOutside(uint letters, RefusalValues accepted)
     {
-        for (var left = letters & values.Words.Present; left != 0; left &= left - 1)
+        for (var left = letters & control.Words.Present; left != 0; left &= left - 1)
         {
-            if (!accepted.Accept(values.Words.Value((byte)('A' + BitOperations.TrailingZeroCount(left)))))
+            if (!accepted.Accept(control.Words.Value((byte)('A' + BitOperations.TrailingZeroCount(left)))))
             {
                 return true;
             }
@@ -247,12 +246,12 @@ internal sealed class ControlRefusals(
     private int Count(UInt128 codes)
     {
         var count = 0;
-        foreach (var code in values.Words.Codes)
+        foreach (var code in control.Words.Codes)
         {
             count += (_table.BitOf(code) & codes) != 0 ? 1 : 0;
         }
 
-        foreach (var function in values.Words.Functions)
+        foreach (var function in control.Words.Functions)
         {
             count += (_table.BitOfFunction(function) & codes) != 0 ? 1 : 0;
         }
@@ -263,7 +262,7 @@ internal sealed class ControlRefusals(
     private string Codes(UInt128 codes)
     {
         var found = new List<string>();
-        foreach (var code in values.Words.Codes)
+        foreach (var code in control.Words.Codes)
         {
             if ((_table.BitOf(code) & codes) != 0)
             {
@@ -271,7 +270,7 @@ internal sealed class ControlRefusals(
             }
         }
 
-        foreach (var function in values.Words.Functions)
+        foreach (var function in control.Words.Functions)
         {
             if ((_table.BitOfFunction(function) & codes) != 0)
             {
@@ -301,7 +300,7 @@ internal sealed class ControlRefusals(
     private MotionFlags Refuse(RefusalRule rule, in Block block, string? found)
     {
         var codes = rule.Codes.Aggregate((UInt128)0, (all, set) => all | set);
-        var letters = rule.Letters.Aggregate(rule.Repeated & values.Words.Repeated, (all, set) => all | set);
+        var letters = rule.Letters.Aggregate(rule.Repeated & control.Words.Repeated, (all, set) => all | set);
         found ??= string.Join(' ', ((string[])[Codes(codes), Letters(letters & block.Given)]).Where(t => t.Length > 0));
         return Refuse(rule.Statement, found, rule.IsAssumed, rule.IsClear);
     }
@@ -311,11 +310,11 @@ internal sealed class ControlRefusals(
         var at = found.Length > 0 ? $" ({found})" : "";
         if (isAssumed)
         {
-            result.Note(MayBeRefused, $"The control may refuse this block{at}; nobody has looked it up: {statement}");
+            control.Result.Note(MayBeRefused, $"The control may refuse this block{at}; nobody has looked it up: {statement}");
             return MotionFlags.None;
         }
 
-        result.Problem(NcRefusalCodes.RefusedByControl, $"The control refuses this block{at}: {statement}", MotionFlags.None);
+        control.Result.Problem(NcRefusalCodes.RefusedByControl, $"The control refuses this block{at}: {statement}", MotionFlags.None);
         if (isClear)
         {
             return MotionFlags.None;
@@ -330,26 +329,26 @@ internal sealed class ControlRefusals(
     {
         if (_stops)
         {
-            layers.Forget();
+            control.Layers.Forget();
         }
     }
 
     /// <summary>Looks at the spelling of a block that is not plain: its length and its comments.</summary>
     public void ReadSpelling(ReadOnlySpan<byte> text)
     {
-        if (text.Length > values.Dialect.LongestLine)
+        if (text.Length > control.Dialect.LongestLine)
         {
-            result.Problem(NcRefusalCodes.RefusedByControl, string.Create(CultureInfo.InvariantCulture,
-                $"The control refuses this block: it is longer than {values.Dialect.LongestLine} characters."), MotionFlags.None);
-            layers.Forget();
+            control.Result.Problem(NcRefusalCodes.RefusedByControl, string.Create(CultureInfo.InvariantCulture,
+                $"The control refuses this block: it is longer than {control.Dialect.LongestLine} characters."), MotionFlags.None);
+            control.Layers.Forget();
         }
 
-        if (values.Dialect.NestedComments != NestedComments.Accepted && HasNestedComment(text))
+        if (control.Dialect.NestedComments != NestedComments.Accepted && HasNestedComment(text))
         {
-            result.Problem(NcRefusalCodes.RefusedByControl,
+            control.Result.Problem(NcRefusalCodes.RefusedByControl,
                 "The control refuses this block: a parenthesis stands inside a comment. Write the comment without it.",
                 MotionFlags.None);
-            layers.Forget();
+            control.Layers.Forget();
         }
     }
 
@@ -364,7 +363,7 @@ internal sealed class ControlRefusals(
                     return false;
                 case (byte)'(' when isComment:
                     isNested = true;
-                    if (values.Dialect.NestedComments == NestedComments.Refused)
+                    if (control.Dialect.NestedComments == NestedComments.Refused)
                     {
                         return true;
                     }

@@ -3,7 +3,7 @@ using ErrorMatching.Geometry;
 namespace ErrorMatching.Nc;
 
 /// <summary>Handles corner words: a rounding or chamfer between the motion that has the word and the next one in the plane.</summary>
-internal sealed class Corners(ControlState control, BlockValues values, CoordinateLayers layers, RunResult result, MotionWriter writer)
+internal sealed class Corners(NcControl control)
 {
     private (byte Letter, double Value) _pending;
 
@@ -13,12 +13,12 @@ internal sealed class Corners(ControlState control, BlockValues values, Coordina
     /// <summary>Stores the block's corner for the end of its motion.</summary>
     public void Keep(MotionKind kind)
     {
-        var letter = values.Words.Corner;
+        var letter = control.Words.Corner;
         var inPlane = kind is MotionKind.Line or MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise;
         _pending = !inPlane
             ? default
             : letter is (byte)'R' or (byte)'C' or (byte)'F'
-            ? (letter, values.CornerLength())
+            ? (letter, control.Values.CornerLength())
             : control.State.ModalRounding != 0
             ? ((byte)'R', control.State.ModalRounding)
             : default;
@@ -27,13 +27,13 @@ internal sealed class Corners(ControlState control, BlockValues values, Coordina
     /// <summary>Stores the corner that a block of its own states for the end of the motion before it.</summary>
     public void KeepForLast(NcMeaning meaning)
     {
-        var last = result.Motions.Length - 1;
+        var last = control.Result.Motions.Length - 1;
         var isRounding = meaning == NcMeaning.CornerRounding;
-        var value = isRounding ? values.Words.Has('R') ? values.Words.Value('R') : double.NaN : values.CornerLength();
-        _pending = last >= 0 && result.Motions[last].IsCut ? (isRounding ? (byte)'R' : (byte)'C', value) : default;
+        var value = isRounding ? control.Words.Has('R') ? control.Words.Value('R') : double.NaN : control.Values.CornerLength();
+        _pending = last >= 0 && control.Result.Motions[last].IsCut ? (isRounding ? (byte)'R' : (byte)'C', value) : default;
         if (!IsPending)
         {
-            result.Problem("corner-word", "No cut is before this corner: it cannot be followed.", MotionFlags.None);
+            control.Result.Problem("corner-word", "No cut is before this corner: it cannot be followed.", MotionFlags.None);
             control.State.Unknown |= control.State.Plane.Axes();
         }
     }
@@ -49,7 +49,7 @@ internal sealed class Corners(ControlState control, BlockValues values, Coordina
             return;
         }
 
-        if (values.Dialect.Syntax == NcSyntax.Siemens
+        if (control.Dialect.Syntax == NcSyntax.Siemens
             && kind is MotionKind.Line or MotionKind.Rapid
             && plane.Project(end) == plane.Project(control.State.Position))
         {
@@ -58,14 +58,14 @@ internal sealed class Corners(ControlState control, BlockValues values, Coordina
             return;
         }
 
-        var before = result.Motions[result.Motions.Length - 1];
+        var before = control.Result.Motions[control.Result.Motions.Length - 1];
         var behind = new NcMotion(
-            result.Block,
+            control.Result.Block,
             kind,
             plane,
             flags,
-            layers.Work(control.State.Position, AxisSet.None).Place,
-            layers.Work(end, AxisSet.None).Place,
+            control.Layers.Work(control.State.Position, AxisSet.None).Place,
+            control.Layers.Work(end, AxisSet.None).Place,
             center ?? default,
             0,
             0,
@@ -79,20 +79,21 @@ internal sealed class Corners(ControlState control, BlockValues values, Coordina
         var isLevel = before.Plane == plane
             && before.Frame == behind.Frame
             && plane.Height(behind.End) == plane.Height(behind.Start)
-            && (layers.Transforms.Frame?.OnCircles(plane).StayCircles ?? true);
-        value *= (control.State.Inch ? ControlState.MmPerInch : 1) * (layers.Transforms.Frame?.FactorIn(plane) ?? 1);
+            && (control.Layers.Transforms.Frame?.OnCircles(plane).StayCircles ?? true);
+        value *= control.Unit * (control.Layers.Transforms.Frame?.FactorIn(plane) ?? 1);
         if (!isPlain || !isLevel || !(value > 0) || Between(before, behind, letter, value) is not { } corner)
         {
             Lose();
             return;
         }
 
-        var (block, height) = (result.Block, plane.Height(behind.Start));
-        result.Block = before.Block;
-        result.Motions.MoveLastEnd(plane.Lift(corner.Start, height));
-        control.State.Position = layers.Programmed(plane.Lift(corner.Start, height));
-        writer.Append(corner.Kind, MotionFlags.CornerWord, layers.Programmed(plane.Lift(corner.End, height)), AxisSet.None, corner.Center);
-        result.Block = block;
+        var (block, height) = (control.Result.Block, plane.Height(behind.Start));
+        control.Result.Block = before.Block;
+        control.Result.Motions.MoveLastEnd(plane.Lift(corner.Start, height));
+        control.State.Position = control.Layers.Programmed(plane.Lift(corner.Start, height));
+        control.Moves.Append(corner.Kind, MotionFlags.CornerWord, control.Layers.Programmed(plane.Lift(corner.End, height)), AxisSet.None,
+            corner.Center);
+        control.Result.Block = block;
     }
 
     /// <summary>Drops the corner without a problem: the tool leaves the plane first.</summary>
@@ -103,7 +104,7 @@ internal sealed class Corners(ControlState control, BlockValues values, Coordina
     {
         if (IsPending)
         {
-            result.Problem(
+            control.Result.Problem(
                 "corner-word",
                 "The corner word of the block before cannot be followed here: it needs two cuts in one plane that are long enough for it.",
                 MotionFlags.None);

@@ -7,15 +7,11 @@ namespace ErrorMatching.Nc;
 /// <summary>Machining cycles with their arguments in parentheses: return plane, reference plane, safety distance, depth, depth below the
 /// reference plane. Drilling, boring, tapping and hole patterns are followed; of all others, only the return plane is known. The motions
 /// follow the Siemens cycles guide (docs/dialects.md lists the assumptions).</summary>
-internal sealed class CycleCalls(
-    ControlState control,
-    ProgramRun run,
-    RunResult result,
-    MotionWriter writer,
-    Corners corners,
-    HoleCycles holes,
-    HolePatterns patterns)
+internal sealed class CycleCalls(NcControl control, Corners corners)
 {
+    private readonly HoleCycles _holes = new(control);
+    private readonly HolePatterns _patterns = new(control);
+
     // The call that runs after every motion, and the block's own call.
     private CycleCall? _modal;
     private CycleCall? _once;
@@ -33,7 +29,7 @@ internal sealed class CycleCalls(
     /// <summary>Stores a call with its arguments.</summary>
     public void Call(NcToken token)
     {
-        var name = run.NameOf(token);
+        var name = control.Run.NameOf(token);
         var number = name.Length > 5 && Ascii.EqualsIgnoreCase(name[..5], "CYCLE"u8)
             && int.TryParse(name[5..], NumberStyles.None, CultureInfo.InvariantCulture, out var n) ? n : 0;
         var call = new CycleCall(Encoding.ASCII.GetString(name).ToUpperInvariant(), number, ArgumentsOf(token));
@@ -63,42 +59,43 @@ internal sealed class CycleCalls(
     {
         // The tool leaves the plane first, so no corner is rounded.
         corners.Drop();
-        if (patterns.PlacesOf(call) is { } places)
+        if (_patterns.PlacesOf(call) is { } places)
         {
             RunPattern(places, call.Number != 801);
             return;
         }
 
-        if (holes.HoleOf(call) is { } hole && holes.StrokesOf(call, hole) is { } strokes)
+        if (_holes.HoleOf(call) is { } hole && _holes.StrokesOf(call, hole) is { } strokes)
         {
-            holes.Run(call, hole, strokes);
+            _holes.Run(call, hole, strokes);
             return;
         }
 
         // Drilling cycles end over their hole at the return plane; for other cycles (patterns, pockets and the like), even that is unknown.
-        result.Note("cycle-not-followed", $"{call.Name} is not followed: what it does is the control's affair.");
+        control.Result.Note("cycle-not-followed", $"{call.Name} is not followed: what it does is the control's affair.");
         var plane = control.State.Plane;
         var toolAxis = AxisSet.All & ~plane.Axes();
         var isDrilling = call.Number is (>= 81 and <= 89) or 840;
         var height = isDrilling && call[0] * control.Unit is { } known && !double.IsNaN(known) ? known : (double?)null;
         var unknown = isDrilling ? height is null ? control.State.Unknown | toolAxis : control.State.Unknown & ~toolAxis : AxisSet.All;
-        result.DependOnPlace();
-        writer.Append(MotionKind.Cycle, MotionFlags.Cycle,
+        control.Result.DependOnPlace();
+        control.Moves.Append(MotionKind.Cycle, MotionFlags.Cycle,
             plane.Lift(plane.Project(control.State.Position), height ?? plane.Height(control.State.Position)), unknown);
     }
 
     private void RunPattern(List<Point2> places, bool hasOrder)
     {
         var plane = control.State.Plane;
-        result.DependOnPlace();
+        control.Result.DependOnPlace();
         if (!hasOrder)
         {
-            result.Note("cycle-not-followed", "The places of the grid are known; in which order it goes there is the control's affair.");
+            control.Result.Note("cycle-not-followed",
+                "The places of the grid are known; in which order it goes there is the control's affair.");
         }
 
         foreach (var place in places)
         {
-            writer.Append(hasOrder ? MotionKind.Rapid : MotionKind.Cycle, MotionFlags.Cycle,
+            control.Moves.Append(hasOrder ? MotionKind.Rapid : MotionKind.Cycle, MotionFlags.Cycle,
                 plane.Lift(place, plane.Height(control.State.Position)), control.State.Unknown & ~plane.Axes());
             if (_modal is { } call)
             {
@@ -113,7 +110,7 @@ internal sealed class CycleCalls(
     // One value per argument: null if omitted, NaN if only the machine knows it.
     private List<double?> ArgumentsOf(NcToken call)
     {
-        var bytes = run.BytesOf(call);
+        var bytes = control.Run.BytesOf(call);
         var values = new List<double?>();
         var at = bytes.IndexOf((byte)'(') + 1;
         if (at == 0)
@@ -138,7 +135,7 @@ internal sealed class CycleCalls(
             else if (bytes[at] is (byte)',' or (byte)')' && depth == 0)
             {
                 values.Add(bytes[from..at].Trim(" \t"u8) is { Length: > 0 } text ? text[0] == '"' ? double.NaN
-                    : run.Compute(call.Start + from, at - from) : null);
+                    : control.Run.Compute(call.Start + from, at - from) : null);
                 from = at + 1;
             }
         }

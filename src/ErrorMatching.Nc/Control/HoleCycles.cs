@@ -4,7 +4,7 @@ namespace ErrorMatching.Nc;
 
 /// <summary>Siemens CYCLE81 to CYCLE89 and CYCLE840 as motions: rapid to the safety distance above the reference plane, feed to depth
 /// (CYCLE83 in strokes), retract as each cycle does, rapid to the return plane.</summary>
-internal sealed class HoleCycles(ControlState control, MotionWriter writer, CycleSteps steps)
+internal sealed class HoleCycles(NcControl control)
 {
     /// <summary>The heights that a call states. Null if it is not followed: heights are missing, or arguments change the meaning of
     /// others.</summary>
@@ -32,7 +32,7 @@ internal sealed class HoleCycles(ControlState control, MotionWriter writer, Cycl
         var total = Math.Abs(hole.Depth - hole.Reference);
         if (call.Number != 83)
         {
-            return ++steps.Count > CycleSteps.Most ? null : [total];
+            return ++control.Run.Holes > ProgramRun.MostHoles ? null : [total];
         }
 
         var first = call.DepthOf(5) * control.Unit is { } depth ? (hole.Reference - depth) * (hole.Depth < hole.Reference ? 1 : -1)
@@ -44,7 +44,7 @@ internal sealed class HoleCycles(ControlState control, MotionWriter writer, Cycl
         }
 
         var (strokes, at, stroke) = (new List<double>(), 0.0, first);
-        while (steps.Count++ < CycleSteps.Most)
+        while (control.Run.Holes++ < ProgramRun.MostHoles)
         {
             at = BlockValues.Sum(at, stroke);
             if (at >= total || stroke == 0)
@@ -162,7 +162,7 @@ internal sealed class HoleCycles(ControlState control, MotionWriter writer, Cycl
         var toolAxis = AxisSet.All & ~plane.Axes();
         if (plane.Height(control.State.Position) != height || (control.State.Unknown & toolAxis) != AxisSet.None)
         {
-            writer.Append(kind, MotionFlags.Cycle, plane.Lift(plane.Project(control.State.Position), height),
+            control.Moves.Append(kind, MotionFlags.Cycle, plane.Lift(plane.Project(control.State.Position), height),
                 control.State.Unknown & ~toolAxis);
         }
     }
@@ -171,7 +171,7 @@ internal sealed class HoleCycles(ControlState control, MotionWriter writer, Cycl
 
     // A feed that only the machine knows cannot be shown.
     private double FeedOr(double? stated, double feed) => stated is { } f && f > 0
-        ? f * (control.State.InchFeed ? ControlState.MmPerInch : 1) : feed;
+        ? f * (control.State.InchFeed ? NcControl.MmPerInch : 1) : feed;
 
     // CYCLE86: lifts off the wall along up to three axes, retracts to the start, then moves back over the hole on the way to the return
     // plane.
@@ -188,14 +188,14 @@ internal sealed class HoleCycles(ControlState control, MotionWriter writer, Cycl
         var (over, unknown) = (plane.Project(control.State.Position), control.State.Unknown);
         var isUnknown = !double.IsFinite(lift.X + lift.Y + up);
         var (away, height) = isUnknown ? (over, hole.Depth) : (over + lift, BlockValues.Sum(hole.Depth, up));
-        writer.Append(MotionKind.Rapid, MotionFlags.Cycle, plane.Lift(away, height), isUnknown ? AxisSet.All : unknown);
-        writer.Append(MotionKind.Rapid, MotionFlags.Cycle, plane.Lift(away, hole.Start), isUnknown ? plane.Axes() : unknown);
-        writer.Append(MotionKind.Rapid, MotionFlags.Cycle, plane.Lift(over, hole.Return), unknown);
+        control.Moves.Append(MotionKind.Rapid, MotionFlags.Cycle, plane.Lift(away, height), isUnknown ? AxisSet.All : unknown);
+        control.Moves.Append(MotionKind.Rapid, MotionFlags.Cycle, plane.Lift(away, hole.Start), isUnknown ? plane.Axes() : unknown);
+        control.Moves.Append(MotionKind.Rapid, MotionFlags.Cycle, plane.Lift(over, hole.Return), unknown);
     }
 }
 
 /// <summary>Siemens patterns of holes: a row (HOLES1), a circle (HOLES2), a grid or frame (CYCLE801).</summary>
-internal sealed class HolePatterns(ControlState control, CycleSteps steps)
+internal sealed class HolePatterns(NcControl control)
 {
     /// <summary>The places of a call. Null if it is not a pattern, or if its places are unknown.</summary>
     public List<Point2>? PlacesOf(CycleCall call)
@@ -212,9 +212,9 @@ internal sealed class HolePatterns(ControlState control, CycleSteps steps)
 
     private int? CountOf(double? number)
     {
-        if (number is not (>= 1 and <= CycleSteps.Most)
+        if (number is not (>= 1 and <= ProgramRun.MostHoles)
             || number != Math.Floor(number.Value)
-            || (steps.Count += number.Value) > CycleSteps.Most)
+            || (control.Run.Holes += number.Value) > ProgramRun.MostHoles)
         {
             return null;
         }

@@ -5,16 +5,15 @@ namespace ErrorMatching.Nc;
 
 /// <summary>Counts coordinates without a decimal point, which are millimeters on one machine and least increments on another of the same
 /// make.</summary>
-/// <param name="program">The program.</param>
-/// <param name="values">The words of its blocks.</param>
-internal sealed class IntegerWords(NcProgram program, BlockValues values)
+/// <param name="control">The control that reads them.</param>
+internal sealed class IntegerWords(NcControl control)
 {
     private const string Otherwise = "A machine that is set otherwise needs a dialect that says so.";
 
     private int _first;
 
     /// <summary>True if this control needs the count.</summary>
-    public bool Matter { get; } = values.Dialect.NotesNumbersWithoutPoint;
+    public bool Matter { get; } = control.Dialect.NotesNumbersWithoutPoint;
 
     public long Count { get; private set; }
 
@@ -22,8 +21,8 @@ internal sealed class IntegerWords(NcProgram program, BlockValues values)
     /// depend on a point.</summary>
     public void CountIn(int block)
     {
-        var words = values.Words;
-        for (var letters = words.Integers & words.Present & values.LengthLetters; letters != 0; letters &= letters - 1)
+        var words = control.Words;
+        for (var letters = words.Integers & words.Present & control.Values.LengthLetters; letters != 0; letters &= letters - 1)
         {
             if (words.Value((byte)('A' + BitOperations.TrailingZeroCount(letters))) != 0)
             {
@@ -44,7 +43,7 @@ internal sealed class IntegerWords(NcProgram program, BlockValues values)
     {
         if (Count > 0)
         {
-            var dialect = values.Dialect;
+            var (dialect, program) = (control.Dialect, control.Run.Program);
             var counts = dialect.IntegersAreIncrements;
             var unit = counts ? "least increments" : "millimeters or inches";
             var hundred = counts ? 100 / Elementary.Pow(10, dialect.MetricDecimals) : 100;

@@ -3,15 +3,7 @@ namespace ErrorMatching.Nc;
 /// <summary>Modes that a program saves and restores (LinuxCNC M70 to M73), separately per call level. As in rs274, modes that differ are
 /// set again. The motion mode, the shift of G92 and the value of a tool length are not saved; an active length is restored from the
 /// table.</summary>
-internal sealed class ModeMemory(
-    ControlState control,
-    BlockValues values,
-    ProgramRun run,
-    CoordinateLayers layers,
-    RunResult result,
-    OffsetCodes offsets,
-    ToolLengthCodes lengths,
-    TransformCodes transforms)
+internal sealed class ModeMemory(NcControl control, OriginCodes origins)
 {
     private readonly Dictionary<int, SavedModes> _saved = [];
 
@@ -21,9 +13,9 @@ internal sealed class ModeMemory(
     /// <summary>The function of the block that saves or restores modes; harmless if there is none.</summary>
     public FunctionRole RoleOfBlock()
     {
-        foreach (var function in values.Words.Functions)
+        foreach (var function in control.Words.Functions)
         {
-            var role = values.Dialect.FunctionOf(function);
+            var role = control.Dialect.FunctionOf(function);
             if (role is FunctionRole.SaveModes or FunctionRole.SaveModesOfCall or FunctionRole.RestoreModes)
             {
                 return role;
@@ -35,7 +27,8 @@ internal sealed class ModeMemory(
 
     /// <summary>The active modes.</summary>
     public SavedModes Now(bool atReturn) =>
-        new(control.State, layers.Offsets.Chosen, layers.Offsets.IsUnsure, lengths.IsActive, layers.Transforms.OpaqueFamilies, atReturn);
+        new(control.State, control.Layers.Offsets.Chosen, control.Layers.Offsets.IsUnsure, origins.Lengths.IsActive,
+            control.Layers.Transforms.OpaqueFamilies, atReturn);
 
     /// <summary>Saves modes. Only feed and its mode apply before that; the other codes of the block come after it.</summary>
     public void Save(SavedModes before)
@@ -44,35 +37,44 @@ internal sealed class ModeMemory(
         (state.Feed, state.InverseTime) = (control.State.Feed, control.State.InverseTime);
 
         // Measured with rs274: M70 after M73 changes what is restored at the end, not that it is restored.
-        var atReturn = before.AtReturn || (_saved.TryGetValue(run.CallDepth, out var saved) && saved.AtReturn);
-        _saved[run.CallDepth] = before with { State = state, AtReturn = atReturn };
+        var atReturn = before.AtReturn || (_saved.TryGetValue(control.Run.CallDepth, out var saved) && saved.AtReturn);
+        _saved[control.Run.CallDepth] = before with { State = state, AtReturn = atReturn };
     }
 
-    /// <summary>Discards the saved modes of this level.</summary>
-    public void Drop() => _saved.Remove(run.CallDepth);
+    /// <summary>Discards the saved modes of this level, if a function of the block says so.</summary>
+    public void Drop()
+    {
+        foreach (var function in control.Words.Functions)
+        {
+            if (control.Dialect.FunctionOf(function) == FunctionRole.DropModes)
+            {
+                _saved.Remove(control.Run.CallDepth);
+            }
+        }
+    }
 
     /// <summary>Restores the saved modes of this level.</summary>
     public MotionFlags Restore()
     {
-        if (!_saved.TryGetValue(run.CallDepth, out var saved))
+        if (!_saved.TryGetValue(control.Run.CallDepth, out var saved))
         {
-            layers.Forget();
-            return result.Problem(
+            control.Layers.Forget();
+            return control.Result.Problem(
                 "no-saved-modes",
                 "No modes are saved at this level of calls that could be restored: the control stops here.",
                 MotionFlags.UnknownWord);
         }
 
         Take(saved);
-        if (values.Words.Functions.Length == 1 && values.Words.Codes.Length == 0
-            && ((values.Words.Present | values.Words.Computed) & ~BlockWords.Bit('N')) == 0)
+        if (control.Words.Functions.Length == 1 && control.Words.Codes.Length == 0
+            && ((control.Words.Present | control.Words.Computed) & ~BlockWords.Bit('N')) == 0)
         {
             return MotionFlags.None;
         }
 
         // Measured with rs274: if a mode is restored, the rest of the block is lost.
-        layers.Forget();
-        return result.Problem(
+        control.Layers.Forget();
+        return control.Result.Problem(
             "words-beside-restore",
             "Words stand in the block that restores modes; the control can lose them. Write them in a block of their own.",
             MotionFlags.UnknownWord);
@@ -90,7 +92,7 @@ internal sealed class ModeMemory(
     private void Take(SavedModes saved)
     {
         // If something ran unseen, it is unknown whether a length or an offset is restored.
-        var isSure = control.State.Unsure == Unsure.None && saved.State.Unsure == Unsure.None && !layers.Offsets.IsUnsure
+        var isSure = control.State.Unsure == Unsure.None && saved.State.Unsure == Unsure.None && !control.Layers.Offsets.IsUnsure
             && !saved.IsWorkOffsetUnsure;
         var modes = saved.State;
         (control.State.Inch, control.State.InchFeed, control.State.Feed, control.State.InverseTime) =
@@ -100,16 +102,16 @@ internal sealed class ModeMemory(
         (control.State.WorksInXY, control.State.IsPlaneNew) = (modes.WorksInXY, modes.IsPlaneNew);
         control.Distance(modes.Incremental);
         control.Compensate(modes.Compensation);
-        if (lengths.IsActive != saved.HasLength)
+        if (origins.Lengths.IsActive != saved.HasLength)
         {
-            lengths.Restore(saved.HasLength);
+            origins.Lengths.Restore(saved.HasLength);
         }
 
-        transforms.RestoreOpaque(saved.OpaqueFamilies);
-        offsets.Choose(saved.WorkOffset, isKnown: true);
-        layers.Offsets.IsUnsure |= saved.IsWorkOffsetUnsure;
+        origins.Transforms.RestoreOpaque(saved.OpaqueFamilies);
+        origins.Offsets.Choose(saved.WorkOffset, isKnown: true);
+        control.Layers.Offsets.IsUnsure |= saved.IsWorkOffsetUnsure;
         control.State.Unsure |= modes.Unsure & ~Unsure.Mode;
-        var motion = values.Dialect.Refusals.Motion;
+        var motion = control.Dialect.Refusals.Motion;
         control.State.InForce = (modes.InForce & ~motion) | (control.State.InForce & motion);
         control.State.Unknown = isSure ? control.State.Unknown : AxisSet.All;
     }

@@ -2,7 +2,7 @@ namespace ErrorMatching.Nc;
 
 /// <summary>Says whether the words of a block change nothing but modes, the tool's place and variables: all that two runs are compared
 /// by.</summary>
-internal sealed class ModeWords(ControlState control, BlockValues values, ProgramRun run)
+internal sealed class ModeWords(NcControl control)
 {
     // Lines, arcs, waits, and letters of what does not move. D, H, T and what the dialect does not know can change more.
     private static readonly uint Letters = BlockWords.LinearAxes | BlockWords.CenterWords
@@ -11,7 +11,7 @@ internal sealed class ModeWords(ControlState control, BlockValues values, Progra
     /// <summary>True if all words of the block are of this kind.</summary>
     public bool AreAll()
     {
-        var words = values.Words;
+        var (words, values) = (control.Words, control.Values);
         var given = words.Present | words.Computed;
         if (words.Invalid.Length > 0 || words.Semicolon.Length > 1 || words.IsPolar || words.HasPolarEnd || words.Corner != 0
             || ((words.Present | (words.Computed & ~(BlockWords.Bit('G') | BlockWords.Bit('M')))) & ~Letters) != 0
@@ -23,7 +23,7 @@ internal sealed class ModeWords(ControlState control, BlockValues values, Progra
 
         foreach (var code in words.Codes)
         {
-            if (!IsMode(values.Dialect.MeaningOf(code)))
+            if (!IsMode(control.Dialect.MeaningOf(code)))
             {
                 return false;
             }
@@ -31,7 +31,7 @@ internal sealed class ModeWords(ControlState control, BlockValues values, Progra
 
         foreach (var function in words.Functions)
         {
-            if (function == BlockCodes.ToolChange || values.Dialect.FunctionOf(function) is not (FunctionRole.Harmless
+            if (function == BlockCodes.ToolChange || control.Dialect.FunctionOf(function) is not (FunctionRole.Harmless
                 or FunctionRole.Call or FunctionRole.LocalCall or FunctionRole.Return or FunctionRole.ProgramEnd))
             {
                 return false;
@@ -65,12 +65,12 @@ internal sealed class ModeWords(ControlState control, BlockValues values, Progra
     // An assignment to a variable of the program, a label, and a word that is a mode.
     private bool IsMode(NcToken statement)
     {
-        var name = run.NameOf(statement);
+        var name = control.Run.NameOf(statement);
         return statement.Kind switch
         {
-            NcTokenKind.Keyword => run.Text.Bytes.Span[statement.End - 1] == ':' || IsMode(values.Dialect.MeaningOf(name)),
-            NcTokenKind.Assignment when values.Dialect.Syntax == NcSyntax.Siemens =>
-                run.IsVariable(name)
+            NcTokenKind.Keyword => control.Run.Text.Bytes.Span[statement.End - 1] == ':' || IsMode(control.Dialect.MeaningOf(name)),
+            NcTokenKind.Assignment when control.Dialect.Syntax == NcSyntax.Siemens =>
+                control.Run.IsVariable(name)
                     || (name.Length > 1 && (name[0] | 0x20) == 'r' && name[1..].IndexOfAnyExceptInRange((byte)'0', (byte)'9') < 0),
             NcTokenKind.Assignment => true,
             _ => false,

@@ -2,103 +2,100 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Nc;
 
-/// <summary>Codes that change a layer between programmed and machine coordinates by the axis words of their block.</summary>
-internal sealed class OriginCodes(
-    BlockIntent intent,
-    CoordinateLayers layers,
-    RunResult result,
-    Corners corners,
-    ShiftCodes shifts,
-    OffsetCodes offsets,
-    ToolLengthCodes lengths,
-    TransformCodes transforms)
+/// <summary>Codes that change a layer between programmed and machine coordinates by the axis words of their block: a shift of the origin
+/// (G92, G52), a work offset, a tool length, a transformation.</summary>
+internal sealed class OriginCodes(NcControl control, Corners corners)
 {
+    public OffsetCodes Offsets { get; } = new(control);
+
+    public ToolLengthCodes Lengths { get; } = new(control);
+
+    public TransformCodes Transforms { get; } = new(control);
+
+    private OriginShift Shift => control.Layers.Shift;
+
     /// <summary>Runs the block's code.</summary>
     public void Run()
     {
-        if (intent.Code is NcMeaning.SetPosition or NcMeaning.SetOffset or NcMeaning.Rotation or NcMeaning.Scaling
+        if (control.Intent.Code is NcMeaning.SetPosition or NcMeaning.SetOffset or NcMeaning.Rotation or NcMeaning.Scaling
             or NcMeaning.OpaqueTransform or NcMeaning.DatumShift)
         {
-            result.DependOnPlace();
+            control.Result.DependOnPlace();
         }
 
         corners.Lose();
-        switch (intent.Code)
+        switch (control.Intent.Code)
         {
             case NcMeaning.SetPosition:
-                shifts.SetPosition();
-                layers.Shift.Keep();
+                SetPosition();
+                Shift.Keep();
                 break;
             case NcMeaning.ClearPosition:
-                shifts.Change(default, AxisSet.None);
-                layers.Shift.Keep();
+                Change(default, AxisSet.None);
+                Shift.Keep();
                 break;
             case NcMeaning.SuspendPosition:
-                shifts.Change(default, AxisSet.None);
+                Change(default, AxisSet.None);
                 break;
             case NcMeaning.RestorePosition:
-                shifts.Change(layers.Shift.Stored.Vector, layers.Shift.Stored.Unknown);
+                Change(Shift.Stored.Vector, Shift.Stored.Unknown);
                 break;
             case NcMeaning.LocalShift:
-                shifts.ShiftLocally();
-                layers.Shift.Keep();
+                ShiftLocally();
+                Shift.Keep();
                 break;
             case NcMeaning.SetOffset:
-                offsets.Write();
+                Offsets.Write();
                 break;
             case NcMeaning.ToolLength:
-                lengths.Set();
+                Lengths.Set();
                 break;
             default:
-                transforms.Begin(intent.Code, intent.Family);
+                Transforms.Begin(control.Intent.Code, control.Intent.Family);
                 break;
         }
     }
-}
 
-/// <summary>Codes that shift the origin on top of the work offset (G92, G52).</summary>
-internal sealed class ShiftCodes(BlockValues values, CoordinateLayers layers)
-{
-    /// <summary>G92: gives the tool's current place the given coordinates.</summary>
-    public void SetPosition()
+    // G92: gives the tool's current place the given coordinates.
+    private void SetPosition()
     {
-        var given = values.GivenAxes();
+        var given = control.Values.GivenAxes();
         if (given == AxisSet.None)
         {
             return;
         }
 
-        var (place, unknown) = layers.Tool();
-        var target = values.Given(place, incremental: false);
-        layers.Shift.Vector += given.PartOf(place - target);
-        layers.Shift.Unknown |= unknown & given;
-        layers.Shift.Local = (layers.Shift.Local.Vector - given.PartOf(layers.Shift.Local.Vector), layers.Shift.Local.Unknown & ~given);
-        layers.SetTool(target, (unknown & ~given) | values.UnknownWords());
-        layers.NextFrame();
+        var (place, unknown) = control.Layers.Tool();
+        var target = control.Values.Given(place, incremental: false);
+        Shift.Vector += given.PartOf(place - target);
+        Shift.Unknown |= unknown & given;
+        Shift.Local = (Shift.Local.Vector - given.PartOf(Shift.Local.Vector), Shift.Local.Unknown & ~given);
+        control.Layers.SetTool(target, (unknown & ~given) | control.Values.UnknownWords());
+        control.Layers.NextFrame();
     }
 
-    /// <summary>G52. LinuxCNC has one shift for G52 and G92; other controls add that of G52 on top and store it separately.</summary>
-    public void ShiftLocally()
+    // G52. LinuxCNC has one shift for G52 and G92; other controls add that of G52 on top and store it separately.
+    private void ShiftLocally()
     {
-        var given = values.GivenAxes();
-        var isOnly = values.Dialect.Syntax == NcSyntax.LinuxCnc;
-        var (was, wasUnknown) = isOnly ? (layers.Shift.Vector, layers.Shift.Unknown) : layers.Shift.Local;
-        var by = given.PartOf(was - (values.Given(default(Point3) + was, incremental: false) - default(Point3)));
-        var nowUnknown = (wasUnknown & ~given) | values.UnknownWords();
-        layers.Shift.Vector -= by;
-        layers.Shift.Unknown = isOnly ? nowUnknown : layers.Shift.Unknown | values.UnknownWords();
-        layers.Shift.Local = isOnly ? layers.Shift.Local : (was - by, nowUnknown);
-        layers.MoveWork(by, (wasUnknown & given) | values.UnknownWords());
-        layers.NextFrame();
+        var given = control.Values.GivenAxes();
+        var isOnly = control.Dialect.Syntax == NcSyntax.LinuxCnc;
+        var (was, wasUnknown) = isOnly ? (Shift.Vector, Shift.Unknown) : Shift.Local;
+        var by = given.PartOf(was - (control.Values.Given(default(Point3) + was, incremental: false) - default(Point3)));
+        var nowUnknown = (wasUnknown & ~given) | control.Values.UnknownWords();
+        Shift.Vector -= by;
+        Shift.Unknown = isOnly ? nowUnknown : Shift.Unknown | control.Values.UnknownWords();
+        Shift.Local = isOnly ? Shift.Local : (was - by, nowUnknown);
+        control.Layers.MoveWork(by, (wasUnknown & given) | control.Values.UnknownWords());
+        control.Layers.NextFrame();
     }
 
-    /// <summary>Replaces the whole shift.</summary>
-    public void Change(Vector3 to, AxisSet unknown)
+    // Replaces the whole shift.
+    private void Change(Vector3 to, AxisSet unknown)
     {
-        var (by, unknownBy) = (layers.Shift.Vector - to, layers.Shift.Unknown | unknown);
-        (layers.Shift.Vector, layers.Shift.Unknown) = (to, unknown);
-        layers.MoveWork(by, unknownBy);
-        layers.NextFrame();
+        var (by, unknownBy) = (Shift.Vector - to, Shift.Unknown | unknown);
+        (Shift.Vector, Shift.Unknown) = (to, unknown);
+        control.Layers.MoveWork(by, unknownBy);
+        control.Layers.NextFrame();
     }
 }
 

@@ -5,7 +5,7 @@ namespace ErrorMatching.Nc;
 /// <summary>Ends of straight moves by polar coordinates about a pole (AP=, RP=), or by an angle and one coordinate (ANG=).</summary>
 /// <remarks>Followed where the block states all of it, in absolute coordinates. The pole is stated in the coordinates that are active:
 /// after a change of plane or frame, it is unknown.</remarks>
-internal sealed class PolarEnds(ControlState control, BlockValues values)
+internal sealed class PolarEnds(NcControl control)
 {
     private const double Flat = 1e-9;
 
@@ -15,8 +15,8 @@ internal sealed class PolarEnds(ControlState control, BlockValues values)
     public void SetPole(NcMeaning meaning)
     {
         var plane = control.State.Plane;
-        var named = values.GivenAxes() & plane.Axes();
-        var isStated = named == plane.Axes() && !values.Words.HasPolarEnd && values.UnknownWords() == AxisSet.None;
+        var named = control.Values.GivenAxes() & plane.Axes();
+        var isStated = named == plane.Axes() && !control.Words.HasPolarEnd && control.Values.UnknownWords() == AxisSet.None;
         var from = meaning switch
         {
             NcMeaning.PoleFromOrigin => Point2.Origin,
@@ -24,7 +24,7 @@ internal sealed class PolarEnds(ControlState control, BlockValues values)
             NcMeaning.PoleFromPole => Pole(),
             _ => null,
         };
-        var by = plane.Project(values.Given(default, incremental: false)) - Point2.Origin;
+        var by = plane.Project(control.Values.Given(default, incremental: false)) - Point2.Origin;
         _pole = isStated && from is { } start
             ? (new(BlockValues.Sum(start.X, by.X), BlockValues.Sum(start.Y, by.Y)), plane, control.State.Frame)
             : null;
@@ -34,22 +34,22 @@ internal sealed class PolarEnds(ControlState control, BlockValues values)
     /// <param name="kind">The kind of the move.</param>
     public Point3? End(MotionKind kind)
     {
-        var words = values.Words;
+        var words = control.Words;
         if (kind is not (MotionKind.Rapid or MotionKind.Line) || control.State.Incremental || control.State.Cycle != NcMeaning.Unknown)
         {
             return null;
         }
 
         var plane = control.State.Plane;
-        var height = plane.Height(values.Given(control.State.Position, incremental: false));
+        var height = plane.Height(control.Values.Given(control.State.Position, incremental: false));
         var end = words.LineAngle is { } angle ? OnLine(angle) : AboutPole();
         return end is { } place ? plane.Lift(place, height) : null;
     }
 
     private Point2? AboutPole()
     {
-        var words = values.Words;
-        var isAlone = (values.GivenAxes() & control.State.Plane.Axes()) == AxisSet.None;
+        var words = control.Words;
+        var isAlone = (control.Values.GivenAxes() & control.State.Plane.Axes()) == AxisSet.None;
         if (!isAlone || Pole() is not { } pole || words.PoleRadius is not (>= 0 and var radius) || words.PoleAngle is not { } angle
             || double.IsNaN(angle))
         {
@@ -63,17 +63,17 @@ internal sealed class PolarEnds(ControlState control, BlockValues values)
     // One coordinate of the plane and the angle to its first axis say where a straight line ends, if it goes that way.
     private Point2? OnLine(double degrees)
     {
-        var words = values.Words;
+        var words = control.Words;
         var plane = control.State.Plane;
-        var given = values.GivenAxes() & plane.Axes();
+        var given = control.Values.GivenAxes() & plane.Axes();
         if (double.IsNaN(degrees) || words.PoleRadius is not null || words.PoleAngle is not null
-            || (control.State.Unknown & plane.Axes()) != AxisSet.None || values.UnknownWords() != AxisSet.None)
+            || (control.State.Unknown & plane.Axes()) != AxisSet.None || control.Values.UnknownWords() != AxisSet.None)
         {
             return null;
         }
 
         var start = plane.Project(control.State.Position);
-        var to = plane.Project(values.Given(control.State.Position, incremental: false));
+        var to = plane.Project(control.Values.Given(control.State.Position, incremental: false));
         var along = Vector2.FromDirection(Angle.FromDegrees(degrees));
         var first = plane.Lift(new(1, 0), 0);
         var firstAxis = first.X != 0 ? AxisSet.X : first.Y != 0 ? AxisSet.Y : AxisSet.Z;
@@ -97,11 +97,11 @@ internal sealed class PolarEnds(ControlState control, BlockValues values)
 
 /// <summary>The pole: the center of arcs, and the origin of polar ends, that a block of its own states for the blocks after it
 /// (CC).</summary>
-internal sealed class PoleCodes(ControlState control, BlockValues values, RunResult result)
+internal sealed class PoleCodes(NcControl control)
 {
     /// <summary>The plane of the block's motion: that of the pole if it moves about one.</summary>
-    public CoordinatePlane PlaneOf(BlockIntent intent) =>
-        intent.AboutPole || control.State.Form == NcMeaning.ArcAboutPole ? control.State.Pole.Plane : control.State.Plane;
+    public CoordinatePlane Plane =>
+        control.Intent.AboutPole || control.State.Form == NcMeaning.ArcAboutPole ? control.State.Pole.Plane : control.State.Plane;
 
     /// <summary>True if a pole is known in the coordinates that are active.</summary>
     public bool IsKnown => control.State.Pole.IsKnown && control.State.Pole.Frame == control.State.Frame;
@@ -110,7 +110,7 @@ internal sealed class PoleCodes(ControlState control, BlockValues values, RunRes
     /// three, the pole is unknown.</summary>
     public void Set()
     {
-        var given = values.GivenAxes();
+        var given = control.Values.GivenAxes();
         var plane = given switch
         {
             AxisSet.Y | AxisSet.Z => CoordinatePlane.YZ,
@@ -118,16 +118,16 @@ internal sealed class PoleCodes(ControlState control, BlockValues values, RunRes
             AxisSet.X | AxisSet.Y => CoordinatePlane.XY,
             _ => control.State.Plane,
         };
-        var incremental = values.Words.Incremental;
+        var incremental = control.Words.Incremental;
         var relative = given == AxisSet.None ? plane.Axes() : BlockWords.AxesOf(incremental);
-        var isKnown = (given == AxisSet.None || given == plane.Axes()) && (values.UnknownWords() & given) == AxisSet.None
-            && (control.State.Unknown & relative) == AxisSet.None && (values.Words.Absolute & incremental) == 0;
-        var place = values.End(control.State.Position, values.Words.Present, incremental);
+        var isKnown = (given == AxisSet.None || given == plane.Axes()) && (control.Values.UnknownWords() & given) == AxisSet.None
+            && (control.State.Unknown & relative) == AxisSet.None && (control.Words.Absolute & incremental) == 0;
+        var place = control.Values.End(control.State.Position, control.Words.Present, incremental);
         control.State.Pole = new(plane.Project(place), plane, control.State.Frame, isKnown);
-        result.StatePole();
+        control.Result.StatePole();
         if (!isKnown)
         {
-            result.Problem("unknown-pole", "Where the center of the arcs behind this block lies is not known.", MotionFlags.None);
+            control.Result.Problem("unknown-pole", "Where the center of the arcs behind this block lies is not known.", MotionFlags.None);
         }
     }
 
@@ -138,30 +138,30 @@ internal sealed class PoleCodes(ControlState control, BlockValues values, RunRes
         var (plane, pole) = (control.State.Plane, control.State.Pole.Place);
         var at = plane.Project(control.State.Position) - pole;
         var (distance, degrees) = (at.Length, Elementary.Atan2(at.Y, at.X) * 180 / Math.PI);
-        var (r, angle) = (values.Words.PolarDistance * control.Unit, values.Words.PolarAngle);
-        distance = values.Words.PolarDistanceGrows ? distance + r!.Value : r ?? distance;
-        degrees = values.Words.PolarAngleGrows ? degrees + angle!.Value : angle ?? degrees;
+        var (r, angle) = (control.Words.PolarDistance * control.Unit, control.Words.PolarAngle);
+        distance = control.Words.PolarDistanceGrows ? distance + r!.Value : r ?? distance;
+        degrees = control.Words.PolarAngleGrows ? degrees + angle!.Value : angle ?? degrees;
 
         var third = AxisSet.All & ~plane.Axes();
-        var letters = values.Words.Present & BlockWords.LinearAxes;
-        var incremental = values.Words.Incremental;
-        var height = plane.Height(values.End(control.State.Position, letters, incremental));
-        var unknownHeight = (control.State.Unknown & ~BlockWords.AxesOf(letters & ~incremental)) | values.UnknownWords();
-        var isRelative = r is null || angle is null || values.Words.PolarDistanceGrows || values.Words.PolarAngleGrows;
+        var letters = control.Words.Present & BlockWords.LinearAxes;
+        var incremental = control.Words.Incremental;
+        var height = plane.Height(control.Values.End(control.State.Position, letters, incremental));
+        var unknownHeight = (control.State.Unknown & ~BlockWords.AxesOf(letters & ~incremental)) | control.Values.UnknownWords();
+        var isRelative = r is null || angle is null || control.Words.PolarDistanceGrows || control.Words.PolarAngleGrows;
         var isUnknown = !IsKnown || double.IsNaN(distance) || double.IsNaN(degrees)
             || (isRelative && (control.State.Unknown & plane.Axes()) != AxisSet.None)
-            || (values.GivenAxes() & plane.Axes()) != AxisSet.None;
+            || (control.Values.GivenAxes() & plane.Axes()) != AxisSet.None;
         var (sin, cos) = Elementary.SinCos(degrees * Math.PI / 180);
         var end = isUnknown ? plane.Project(control.State.Position) : pole + new Vector2(distance * cos, distance * sin);
         return (plane.Lift(end, height), (isUnknown ? plane.Axes() : AxisSet.None) | (unknownHeight & third));
     }
 
     /// <summary>True for an arc about the pole to an angle, in its plane and of at most one turn.</summary>
-    public bool IsPlainArc() => control.State.Form == NcMeaning.ArcAboutPole && values.GivenAxes() == AxisSet.None
-        && values.Words is { PolarDistance: null, PolarAngle: not null } && Turns() == 0;
+    public bool IsPlainArc() => control.State.Form == NcMeaning.ArcAboutPole && control.Values.GivenAxes() == AxisSet.None
+        && control.Words is { PolarDistance: null, PolarAngle: not null } && Turns() == 0;
 
     /// <summary>Full turns beyond the first of an arc whose angle is an increment.</summary>
-    public int Turns() => values.Words is { PolarAngleGrows: true, PolarAngle: { } angle } && !double.IsNaN(angle)
+    public int Turns() => control.Words is { PolarAngleGrows: true, PolarAngle: { } angle } && !double.IsNaN(angle)
         ? (int)Math.Clamp(Math.Ceiling(Math.Abs(angle) / 360) - 1, 0, 100_000)
         : 0;
 }

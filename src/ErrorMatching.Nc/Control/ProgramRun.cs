@@ -6,11 +6,14 @@ namespace ErrorMatching.Nc;
 
 /// <summary>The position of a run: the file and the block, and the <see cref="NcFlow"/> that decides where it continues, created when a
 /// block first needs it.</summary>
-internal sealed class ProgramRun(NcProgram program, NcDialect dialect, ControlState control, Func<string, NcProgram?>? library,
-    CancellationToken cancellation)
+internal sealed class ProgramRun(
+    NcControl control, NcProgram program, Func<string, NcProgram?>? library, CancellationToken cancellation)
 {
     /// <summary>Number of blocks that may run before a program counts as endless (some tenths of a second); long files get more.</summary>
     private const long LeastSteps = 500_000;
+
+    /// <summary>Number of holes and pecks of one program that are followed: a block of a few bytes can request any number.</summary>
+    public const int MostHoles = 100_000;
 
     private const long StepsPerBlock = 10;
     private const int LongestShown = 60;
@@ -19,8 +22,6 @@ internal sealed class ProgramRun(NcProgram program, NcDialect dialect, ControlSt
     private NcFlow? _flow;
 
     public NcProgram Program { get; } = program;
-
-    public NcDialect Dialect => dialect;
 
     public Func<string, NcProgram?>? Library => library;
 
@@ -33,6 +34,9 @@ internal sealed class ProgramRun(NcProgram program, NcDialect dialect, ControlSt
     public int At { get; set; }
 
     public bool HasEnded { get; set; }
+
+    /// <summary>Holes and pecks so far.</summary>
+    public double Holes { get; set; }
 
     /// <summary>Says which way the program goes where only the machine knows it; null if both ways do not lead to the same.</summary>
     public Func<bool?> Decide { get; set; } = () => null;
@@ -49,7 +53,7 @@ internal sealed class ProgramRun(NcProgram program, NcDialect dialect, ControlSt
 
     public int CallDepth => _flow?.Depth ?? 0;
 
-    public NcFlow Flow => _flow ??= new(Program, dialect, new()
+    public NcFlow Flow => _flow ??= new(Program, control.Dialect, new()
     {
         Library = Called,
         Returned = depth => Returned(depth),
@@ -74,7 +78,7 @@ internal sealed class ProgramRun(NcProgram program, NcDialect dialect, ControlSt
         }
 
         _called.Add(new(name, Convert.ToHexStringLower(SHA256.HashData(called.Bytes.Span))));
-        return called.In(dialect.Syntax);
+        return called.In(control.Dialect.Syntax);
     }
 
     /// <summary>Continues where the flow decided.</summary>
@@ -102,7 +106,7 @@ internal sealed class ProgramRun(NcProgram program, NcDialect dialect, ControlSt
     public ReadOnlySpan<byte> NameOf(NcToken statement)
     {
         var bytes = BytesOf(statement);
-        if (LanguageSpelling.Of(dialect.Syntax) is { } language)
+        if (LanguageSpelling.Of(control.Dialect.Syntax) is { } language)
         {
             return language.NameOf(bytes);
         }

@@ -89,25 +89,25 @@ internal sealed class ProgramTransforms
 }
 
 /// <summary>Codes that begin and end rotation, scaling, mirroring, polar coordinates and programmable frames.</summary>
-internal sealed class TransformCodes(ControlState control, BlockValues values, CoordinateLayers layers, RunResult result)
+internal sealed class TransformCodes(NcControl control)
 {
-    private ProgramTransforms Active => layers.Transforms;
+    private ProgramTransforms Active => control.Layers.Transforms;
 
     /// <summary>Begins a transformation, or adds to it.</summary>
     public void Begin(NcMeaning meaning, int family)
     {
-        var isKnown = (values.Words.Unknown & (BlockWords.LinearAxes | BlockWords.CenterWords | BlockWords.Bit('R')
+        var isKnown = (control.Words.Unknown & (BlockWords.LinearAxes | BlockWords.CenterWords | BlockWords.Bit('R')
             | BlockWords.Bit('P'))) == 0;
-        var work = layers.Tool();
+        var work = control.Layers.Tool();
         switch (meaning)
         {
             case NcMeaning.Rotation:
                 var (plane, center) = (control.State.Plane, Center(control.State.Plane.Axes(), ref isKnown));
-                isKnown &= values.Words.Has('R');
+                isKnown &= control.Words.Has('R');
 
                 // A center that is named while scaling is active is scaled too; the angle is not (B-63944EN-2/02, page 211).
                 Active.Rotation = ProgramFrame.Rotation(plane, Active.Scale?.Apply(center) ?? center,
-                    values.Words.Has('R') ? values.Degrees('R') : 0);
+                    control.Words.Has('R') ? control.Values.Degrees('R') : 0);
                 Active.Switch(Transforms.Rotation, on: true);
                 break;
             case NcMeaning.Scaling:
@@ -117,9 +117,9 @@ internal sealed class TransformCodes(ControlState control, BlockValues values, C
             case NcMeaning.Mirroring:
                 for (var axis = 'X'; axis <= 'Z'; axis++)
                 {
-                    if (values.Words.Has(axis))
+                    if (control.Words.Has(axis))
                     {
-                        Active.Mirror(axis - 'X', values.Length(axis));
+                        Active.Mirror(axis - 'X', control.Values.Length(axis));
                     }
                 }
 
@@ -129,7 +129,7 @@ internal sealed class TransformCodes(ControlState control, BlockValues values, C
                 Active.Switch(Transforms.Polar, on: true);
                 break;
             case NcMeaning.OpaqueTransform:
-                result.Note("opaque-transform",
+                control.Result.Note("opaque-transform",
                     "From here on the control transforms the coordinates in a way that is not followed: "
                         + "they are shown as programmed, and no block is changed.");
                 Active.OpaqueFamilies |= 1ul << family;
@@ -137,9 +137,9 @@ internal sealed class TransformCodes(ControlState control, BlockValues values, C
                 break;
             case NcMeaning.DatumShift:
                 var shift = Active.Programmable?.ShiftOnly ?? Vector3.Zero;
-                isKnown &= values.GivenAxes() != AxisSet.None;
+                isKnown &= control.Values.GivenAxes() != AxisSet.None;
                 Active.Programmable = ProgramFrame.Shift(
-                    values.End(default(Point3) + shift, values.Words.Present, values.Words.Incremental) - default(Point3));
+                    control.Values.End(default(Point3) + shift, control.Words.Present, control.Words.Incremental) - default(Point3));
                 Active.Switch(Transforms.Programmable, on: true);
                 break;
             default:
@@ -148,7 +148,7 @@ internal sealed class TransformCodes(ControlState control, BlockValues values, C
                 break;
         }
 
-        layers.Recompose(isKnown ? work : (work.Place, AxisSet.All));
+        control.Layers.Recompose(isKnown ? work : (work.Place, AxisSet.All));
     }
 
     /// <summary>Ends a transformation. For those that are not followed, ends one family; 0 means all families.</summary>
@@ -168,12 +168,12 @@ internal sealed class TransformCodes(ControlState control, BlockValues values, C
             return;
         }
 
-        var work = layers.Tool();
+        var work = control.Layers.Tool();
         switch (ended)
         {
             case Transforms.Rotation: Active.Rotation = null; break;
             case Transforms.Scale: Active.Scale = null; break;
-            case Transforms.Mirror when values.GivenAxes() is not AxisSet.None and var axes:
+            case Transforms.Mirror when control.Values.GivenAxes() is not AxisSet.None and var axes:
                 EndMirrors(axes);
                 break;
             case Transforms.Mirror: EndMirrors(AxisSet.All); break;
@@ -188,7 +188,7 @@ internal sealed class TransformCodes(ControlState control, BlockValues values, C
             Active.Switch(ended, on: ended == Transforms.Mirror && Active.HaveMirrors);
         }
 
-        layers.Recompose(ended == Transforms.Opaque ? (work.Place, AxisSet.All) : work);
+        control.Layers.Recompose(ended == Transforms.Opaque ? (work.Place, AxisSet.All) : work);
     }
 
     /// <summary>Restores transformations that are not followed.</summary>
@@ -199,9 +199,9 @@ internal sealed class TransformCodes(ControlState control, BlockValues values, C
             return;
         }
 
-        var (place, _) = layers.Tool();
+        var (place, _) = control.Layers.Tool();
         Active.OpaqueFamilies = families;
-        layers.Recompose((place, AxisSet.All));
+        control.Layers.Recompose((place, AxisSet.All));
     }
 
     private void EndMirrors(AxisSet axes)
@@ -218,8 +218,8 @@ internal sealed class TransformCodes(ControlState control, BlockValues values, C
     // The point that a block names; the tool's coordinate replaces a missing one.
     private Point3 Center(AxisSet needed, ref bool isKnown)
     {
-        var place = values.Given(control.State.Position, control.State.Incremental);
-        isKnown &= (control.State.Unknown & needed & ~values.GivenAxes()) == AxisSet.None;
+        var place = control.Values.Given(control.State.Position, control.State.Incremental);
+        isKnown &= (control.State.Unknown & needed & ~control.Values.GivenAxes()) == AxisSet.None;
         return place;
     }
 
@@ -227,14 +227,14 @@ internal sealed class TransformCodes(ControlState control, BlockValues values, C
     private ProgramFrame ScaleOf(ref bool isKnown)
     {
         var center = Center(AxisSet.All, ref isKnown);
-        if (values.Words.Has('P'))
+        if (control.Words.Has('P'))
         {
-            var factor = values.Factor('P');
+            var factor = control.Values.Factor('P');
             return ProgramFrame.Scale(center, new(factor, factor, factor));
         }
 
-        return ProgramFrame.Scale(center, new(values.Words.Has('I') ? values.Factor('I') : 1,
-            values.Words.Has('J') ? values.Factor('J') : 1, values.Words.Has('K') ? values.Factor('K') : 1));
+        return ProgramFrame.Scale(center, new(control.Words.Has('I') ? control.Values.Factor('I') : 1,
+            control.Words.Has('J') ? control.Values.Factor('J') : 1, control.Words.Has('K') ? control.Values.Factor('K') : 1));
     }
 
     private ProgramFrame? FrameOf(NcMeaning meaning, ref bool isKnown)
@@ -242,8 +242,8 @@ internal sealed class TransformCodes(ControlState control, BlockValues values, C
         var sum = meaning is NcMeaning.FrameShiftMore or NcMeaning.FrameRotationMore or NcMeaning.FrameScaleMore
             or NcMeaning.FrameMirrorMore;
         var before = sum ? Active.Programmable ?? ProgramFrame.Identity : ProgramFrame.Identity;
-        var angle = values.Words.PlaneAngle;
-        if (values.GivenAxes() == AxisSet.None && angle is null)
+        var angle = control.Words.PlaneAngle;
+        if (control.Values.GivenAxes() == AxisSet.None && angle is null)
         {
             return sum ? Active.Programmable : null;
         }
@@ -252,13 +252,13 @@ internal sealed class TransformCodes(ControlState control, BlockValues values, C
         var own = meaning switch
         {
             NcMeaning.FrameShift or NcMeaning.FrameShiftMore =>
-                ProgramFrame.Shift(values.Given(default, incremental: false) - default(Point3)),
+                ProgramFrame.Shift(control.Values.Given(default, incremental: false) - default(Point3)),
             NcMeaning.FrameRotation or NcMeaning.FrameRotationMore when angle is { } turn =>
                 ProgramFrame.Rotation(control.State.Plane, default, turn),
             NcMeaning.FrameRotation or NcMeaning.FrameRotationMore => RotationAboutAxes(),
             NcMeaning.FrameScale or NcMeaning.FrameScaleMore =>
-                ProgramFrame.Scale(default, values.Along(letter => values.Words.Value(letter), 1)),
-            _ => ProgramFrame.Scale(default, values.Along(_ => -1, 1)),
+                ProgramFrame.Scale(default, control.Values.Along(letter => control.Words.Value(letter), 1)),
+            _ => ProgramFrame.Scale(default, control.Values.Along(_ => -1, 1)),
         };
         return before.After(own);
     }
@@ -266,7 +266,7 @@ internal sealed class TransformCodes(ControlState control, BlockValues values, C
     // About Z, then the new Y, then the new X.
     private ProgramFrame RotationAboutAxes()
     {
-        var angles = values.Along(letter => values.Words.Value(letter), 0);
+        var angles = control.Values.Along(letter => control.Words.Value(letter), 0);
         return ProgramFrame.Rotation(CoordinatePlane.XY, default, angles.Z)
             .After(ProgramFrame.Rotation(CoordinatePlane.ZX, default, angles.Y))
             .After(ProgramFrame.Rotation(CoordinatePlane.YZ, default, angles.X));

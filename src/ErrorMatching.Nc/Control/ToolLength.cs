@@ -29,22 +29,24 @@ internal sealed class ToolLength
 }
 
 /// <summary>Codes that state a tool length, take it from the table, or end it (G43.1, G43, G49).</summary>
-internal sealed class ToolLengthCodes(ControlState control, BlockValues values, CoordinateLayers layers)
+internal sealed class ToolLengthCodes(NcControl control)
 {
     /// <summary>True if a length is active, stated or from the table.</summary>
-    public bool IsActive => control.State.LengthOffset || layers.Length.Axes != AxisSet.None;
+    public bool IsActive => control.State.LengthOffset || Length.Axes != AxisSet.None;
 
-    private AxisSet Unknown => layers.Length.UnknownIn(control.State);
+    private ToolLength Length => control.Layers.Length;
+
+    private AxisSet Unknown => Length.UnknownIn(control.State);
 
     /// <summary>G43.1: from here on, the tip is shifted by the block's length. A previous length from the table is unknown.</summary>
     public void Set()
     {
-        var given = values.GivenAxes();
-        var length = values.Given(default(Point3) + layers.Length.Vector, incremental: false) - default(Point3);
-        Change(length, (Unknown & (given | layers.Length.Axes)) | values.UnknownWords());
-        layers.Length.FromTable &= ~given;
-        control.State.LengthOffset &= layers.Length.FromTable != AxisSet.None;
-        layers.Length.IsUnsure &= (given & AxisSet.Z) == AxisSet.None;
+        var given = control.Values.GivenAxes();
+        var length = control.Values.Given(default(Point3) + Length.Vector, incremental: false) - default(Point3);
+        Change(length, (Unknown & (given | Length.Axes)) | control.Values.UnknownWords());
+        Length.FromTable &= ~given;
+        control.State.LengthOffset &= Length.FromTable != AxisSet.None;
+        Length.IsUnsure &= (given & AxisSet.Z) == AxisSet.None;
     }
 
     /// <summary>G43: a length that only the machine knows, so that the tip's place is unknown along the tool. Some controls move the
@@ -53,15 +55,15 @@ internal sealed class ToolLengthCodes(ControlState control, BlockValues values, 
     {
         // Along Z, or along the third axis of the plane: controls differ.
         var along = AxisSet.Z | (AxisSet.All & ~control.State.Plane.Axes());
-        Change(Vector3.Zero, layers.Length.Axes | along | Unknown);
-        (layers.Length.FromTable, layers.Length.IsUnsure, control.State.LengthOffset) = (layers.Length.FromTable | along, false, true);
+        Change(Vector3.Zero, Length.Axes | along | Unknown);
+        (Length.FromTable, Length.IsUnsure, control.State.LengthOffset) = (Length.FromTable | along, false, true);
     }
 
     /// <summary>G49.</summary>
     public void End()
     {
         Change(Vector3.Zero, Unknown);
-        (layers.Length.FromTable, layers.Length.IsUnsure, control.State.LengthOffset) = (AxisSet.None, false, false);
+        (Length.FromTable, Length.IsUnsure, control.State.LengthOffset) = (AxisSet.None, false, false);
     }
 
     /// <summary>Another number of a length changes the active one.</summary>
@@ -88,16 +90,16 @@ internal sealed class ToolLengthCodes(ControlState control, BlockValues values, 
 
     private void Change(Vector3 to, AxisSet unknown)
     {
-        if (to == layers.Length.Vector && unknown == AxisSet.None)
+        if (to == Length.Vector && unknown == AxisSet.None)
         {
             return;
         }
 
-        var by = layers.Length.Vector - to;
-        layers.Length.Change(to, control.State.Inch);
-        var degrees = layers.Offsets.Origin.Degrees;
-        layers.MoveWork(WorkOrigin.Turned(by, -(degrees ?? 0)), degrees is null && (by.X != 0 || by.Y != 0)
+        var by = Length.Vector - to;
+        Length.Change(to, control.State.Inch);
+        var degrees = control.Layers.Offsets.Origin.Degrees;
+        control.Layers.MoveWork(WorkOrigin.Turned(by, -(degrees ?? 0)), degrees is null && (by.X != 0 || by.Y != 0)
             ? unknown | AxisSet.X | AxisSet.Y : degrees == 0 ? unknown : WorkOrigin.Mixed(unknown));
-        layers.NextFrame();
+        control.Layers.NextFrame();
     }
 }

@@ -88,49 +88,51 @@ internal readonly record struct WorkOrigin(Vector3 Place, AxisSet Unknown, doubl
 }
 
 /// <summary>Codes that select a work offset (G54) or write one (G10).</summary>
-internal sealed class OffsetCodes(ControlState control, BlockValues values, CoordinateLayers layers, RunResult result)
+internal sealed class OffsetCodes(NcControl control)
 {
+    private readonly CoordinateLayers _layers = control.Layers;
+
     /// <summary>Selects an offset.</summary>
     /// <param name="chosen">The code times ten, and its P word.</param>
     /// <param name="isKnown">False if the P word is a value that only the machine knows.</param>
     public void Choose((int Code, int Number) chosen, bool isKnown)
     {
-        if (chosen == layers.Offsets.Chosen && !layers.Offsets.IsUnsure && isKnown)
+        if (chosen == _layers.Offsets.Chosen && !_layers.Offsets.IsUnsure && isKnown)
         {
             return;
         }
 
-        var isSame = isKnown && layers.Offsets.IsChosen(chosen) == true;
-        var was = layers.Offsets.Origin;
-        layers.Offsets.Choose(chosen, isKnown);
+        var isSame = isKnown && _layers.Offsets.IsChosen(chosen) == true;
+        var was = _layers.Offsets.Origin;
+        _layers.Offsets.Choose(chosen, isKnown);
         if (!isSame)
         {
-            var now = layers.Offsets.Origin;
-            layers.SeeFrom(was, now, was.Unknown | now.Unknown, layers.Shift.Vector);
+            var now = _layers.Offsets.Origin;
+            _layers.SeeFrom(was, now, was.Unknown | now.Unknown, _layers.Shift.Vector);
         }
 
-        layers.NextFrame();
+        _layers.NextFrame();
     }
 
     /// <summary>G10: writes what the dialect says of its L word. If that is not known, neither is the tool's place.</summary>
     public void Write()
     {
         var letters = BlockWords.Bit('L') | BlockWords.Bit('P');
-        var isKnown = values.Words.Has('L') && ((values.Words.Unknown | values.Words.Repeated) & letters) == 0;
-        var table = isKnown ? values.Dialect.OffsetTableOf((int)Math.Clamp(values.Words.Value('L'), -1, 10_000)) : null;
+        var isKnown = control.Words.Has('L') && ((control.Words.Unknown | control.Words.Repeated) & letters) == 0;
+        var table = isKnown ? control.Dialect.OffsetTableOf((int)Math.Clamp(control.Words.Value('L'), -1, 10_000)) : null;
         if (table is { Means: OffsetWriting.Tool })
         {
-            control.State.Unknown |= layers.Length.UnknownIn(control.State);
+            control.State.Unknown |= _layers.Length.UnknownIn(control.State);
             return;
         }
 
         if (table is null or { Means: OffsetWriting.Unknown } || WrittenOffset(table) is not { } offset
-            || (values.Words.Has('R') && !Turns)
+            || (control.Words.Has('R') && !Turns)
             || (table.Means == OffsetWriting.AbsoluteOrigin && control.State.Incremental))
         {
             // An offset of the machine, or one that only it knows.
-            layers.ForgetOrigins();
-            layers.NextFrame();
+            _layers.ForgetOrigins();
+            _layers.NextFrame();
             control.State.Unknown = AxisSet.All;
             return;
         }
@@ -139,7 +141,8 @@ internal sealed class OffsetCodes(ControlState control, BlockValues values, Coor
         {
             if (table.IsAssumed)
             {
-                result.Note("touch-off", "G10 L20 is taken to give the tool's place the coordinates of its block, as on LinuxCNC and grbl. "
+                control.Result.Note("touch-off",
+                    "G10 L20 is taken to give the tool's place the coordinates of its block, as on LinuxCNC and grbl. "
                     + "Controls of Fanuc's kind write another offset by it.");
             }
 
@@ -152,76 +155,76 @@ internal sealed class OffsetCodes(ControlState control, BlockValues values, Coor
     }
 
     // Only LinuxCNC's work offsets turn.
-    private bool Turns => values.Dialect.Syntax == NcSyntax.LinuxCnc;
+    private bool Turns => control.Dialect.Syntax == NcSyntax.LinuxCnc;
 
     private (int Code, int Number)? WrittenOffset(OffsetTable table)
     {
-        var number = values.Words.Has('P') ? values.Words.Value('P') : -1;
-        return number == 0 && table.ZeroIsActive && !layers.Offsets.IsUnsure ? layers.Offsets.Chosen
+        var number = control.Words.Has('P') ? control.Words.Value('P') : -1;
+        return number == 0 && table.ZeroIsActive && !_layers.Offsets.IsUnsure ? _layers.Offsets.Chosen
             : number is >= 1 and <= 10_000 && number == Math.Floor(number) ? table.Offset((int)number)
             : null;
     }
 
     private void WriteTo((int Code, int Number) offset, bool incremental)
     {
-        var isChosen = layers.Offsets.IsChosen(offset);
-        var given = values.GivenAxes();
-        var was = layers.Offsets.OriginOf(offset);
-        var turns = values.Words.Has('R') || (values.Words.Unknown & BlockWords.Bit('R')) != 0;
+        var isChosen = _layers.Offsets.IsChosen(offset);
+        var given = control.Values.GivenAxes();
+        var was = _layers.Offsets.OriginOf(offset);
+        var turns = control.Words.Has('R') || (control.Words.Unknown & BlockWords.Bit('R')) != 0;
         var now = new WorkOrigin(
-            values.Given(default(Point3) + was.Place, incremental) - default(Point3),
-            (incremental ? was.Unknown : was.Unknown & ~given) | values.UnknownWords(),
-            !turns ? was.Degrees : (values.Words.Unknown & BlockWords.Bit('R')) == 0 ? values.Words.Value('R') : null);
-        layers.Offsets.Write(offset, now);
+            control.Values.Given(default(Point3) + was.Place, incremental) - default(Point3),
+            (incremental ? was.Unknown : was.Unknown & ~given) | control.Values.UnknownWords(),
+            !turns ? was.Degrees : (control.Words.Unknown & BlockWords.Bit('R')) == 0 ? control.Words.Value('R') : null);
+        _layers.Offsets.Write(offset, now);
         if (isChosen is null)
         {
             control.State.Unknown = AxisSet.All;
-            layers.NextFrame();
+            _layers.NextFrame();
         }
         else if (isChosen == true)
         {
             // Measured with rs274: it rotates the place minus the shift of G92.
-            var difference = (incremental ? AxisSet.None : was.Unknown & given) | values.UnknownWords();
-            layers.SeeFrom(was, now with { KeepsRotation = !turns }, difference, Turns ? Vector3.Zero : layers.Shift.Vector);
-            layers.NextFrame();
+            var difference = (incremental ? AxisSet.None : was.Unknown & given) | control.Values.UnknownWords();
+            _layers.SeeFrom(was, now with { KeepsRotation = !turns }, difference, Turns ? Vector3.Zero : _layers.Shift.Vector);
+            _layers.NextFrame();
         }
     }
 
     // Moves the offset so that the tool's current place has the given coordinates in it.
     private void TouchOff((int Code, int Number) offset)
     {
-        var given = values.GivenAxes();
-        var (was, current) = (layers.Offsets.OriginOf(offset), layers.Offsets.Origin);
-        var (place, unknown) = layers.Tool();
-        if (layers.Offsets.IsChosen(offset) is not { } isCurrent)
+        var given = control.Values.GivenAxes();
+        var (was, current) = (_layers.Offsets.OriginOf(offset), _layers.Offsets.Origin);
+        var (shift, (place, unknown)) = (_layers.Shift, _layers.Tool());
+        if (_layers.Offsets.IsChosen(offset) is not { } isCurrent)
         {
-            layers.Offsets.Write(offset, was with { Unknown = AxisSet.All });
+            _layers.Offsets.Write(offset, was with { Unknown = AxisSet.All });
             control.State.Unknown = AxisSet.All;
-            layers.NextFrame();
+            _layers.NextFrame();
             return;
         }
 
         if (was.Degrees == 0 && current.Degrees == 0)
         {
-            var now = was.Place + given.PartOf(current.Place + (place - values.Given(place, incremental: false)) - was.Place);
-            layers.Offsets.Write(offset,
-                new(now, (was.Unknown & ~given) | ((unknown | current.Unknown) & given) | values.UnknownWords(), 0));
+            var now = was.Place + given.PartOf(current.Place + (place - control.Values.Given(place, incremental: false)) - was.Place);
+            _layers.Offsets.Write(offset,
+                new(now, (was.Unknown & ~given) | ((unknown | current.Unknown) & given) | control.Values.UnknownWords(), 0));
         }
         else
         {
             var (seen, unknownSeen) = isCurrent ? (place, unknown)
-                : WorkOrigin.Reseen(place, unknown, current, was, current.Unknown | was.Unknown, layers.Shift.Vector, layers.Shift.Unknown);
-            var by = seen - values.Given(seen, incremental: false);
-            var plane = given & (AxisSet.X | AxisSet.Y);
-            var unknownBy = WorkOrigin.Mixed((unknownSeen & given) | values.UnknownWords() | (was.Degrees is null ? plane : AxisSet.None));
-            layers.Offsets.Write(offset,
+                : WorkOrigin.Reseen(place, unknown, current, was, current.Unknown | was.Unknown, shift.Vector, shift.Unknown);
+            var by = seen - control.Values.Given(seen, incremental: false);
+            var unknownTurn = was.Degrees is null ? given & (AxisSet.X | AxisSet.Y) : AxisSet.None;
+            var unknownBy = WorkOrigin.Mixed((unknownSeen & given) | control.Values.UnknownWords() | unknownTurn);
+            _layers.Offsets.Write(offset,
                 was with { Place = was.Place + WorkOrigin.Turned(by, was.Degrees ?? 0), Unknown = was.Unknown | unknownBy });
         }
 
         if (isCurrent)
         {
-            layers.SetTool(values.Given(place, incremental: false), (unknown & ~given) | values.UnknownWords());
-            layers.NextFrame();
+            _layers.SetTool(control.Values.Given(place, incremental: false), (unknown & ~given) | control.Values.UnknownWords());
+            _layers.NextFrame();
         }
     }
 }

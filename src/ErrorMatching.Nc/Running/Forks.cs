@@ -10,7 +10,7 @@ namespace ErrorMatching.Nc;
 /// </remarks>
 internal sealed class Forks
 {
-    private readonly ControlState _control;
+    private readonly NcControl _control;
     private readonly ProgramRun _run;
     private readonly RunResult _result;
     private readonly BlockExecutor _executor;
@@ -23,18 +23,16 @@ internal sealed class Forks
     private readonly bool _tries;
     private int _next;
 
-    /// <param name="control">The state of the run.</param>
-    /// <param name="run">Where it is.</param>
-    /// <param name="result">Its results.</param>
+    /// <param name="control">The control of the run.</param>
     /// <param name="executor">Executes its blocks.</param>
     /// <param name="trial">The way that this run tries; null for the run itself.</param>
-    public Forks(ControlState control, ProgramRun run, RunResult result, BlockExecutor executor, Trial? trial)
+    public Forks(NcControl control, BlockExecutor executor, Trial? trial)
     {
-        (_control, _run, _result, _executor) = (control, run, result, executor);
+        (_control, _run, _result, _executor) = (control, control.Run, control.Result, executor);
         _known = [.. trial?.Known ?? []];
-        _limits = trial?.Limits ?? new(LeastBlocks + (BlocksPerBlock * (long)run.Program.BlockCount));
+        _limits = trial?.Limits ?? new(LeastBlocks + (BlocksPerBlock * (long)_run.Program.BlockCount));
         (_depth, _other, _tries) = (trial?.Depth ?? 0, trial?.Other, trial is not null);
-        run.Decide = Decide;
+        _run.Decide = Decide;
     }
 
     private const long LeastBlocks = 200_000;
@@ -180,7 +178,7 @@ internal sealed class Forks
     private static bool OnlyEnds(WayTrace way) => way.Ends && !Array.Exists(way.Until(way.Motions.Length), m => m.IsCut);
 
     private (WayTrace? Trace, string? Meeting) Try(bool way, WayTrace? other) =>
-        NcInterpreter.Try(_run, new([.. _known, Fork.Tried(way)], _limits, _depth + 1, other));
+        NcInterpreter.Try(_control, new([.. _known, Fork.Tried(way)], _limits, _depth + 1, other));
 
     private static SortedSet<int> BlocksOf(IReadOnlyCollection<NcMotion> motions) => [.. motions.Select(m => m.Block)];
 

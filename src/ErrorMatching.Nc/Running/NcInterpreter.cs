@@ -11,7 +11,7 @@ public sealed class NcInterpreter
     /// <summary>Number of blocks between checks whether to stop running ahead.</summary>
     private const int Watch = 1_024;
 
-    private readonly ControlState _control;
+    private readonly NcControl _control;
     private readonly ProgramRun _run;
     private readonly RunResult _result;
     private readonly BlockExecutor _executor;
@@ -22,13 +22,12 @@ public sealed class NcInterpreter
     internal NcInterpreter(NcProgram program, NcDialect dialect, NcMotions motions, Func<string, NcProgram?>? library,
         CancellationToken cancellation, Forks.Trial? trial = null)
     {
-        _control = new(dialect);
-        _run = new(program, dialect, _control, library, cancellation);
-        _result = new(dialect, motions);
-        _executor = new(_control, _run, _result);
-        _borders = new(_control, _run, _result, _executor);
+        _control = new(program, dialect, motions, library, cancellation);
+        (_run, _result) = (_control.Run, _control.Result);
+        _executor = new(_control);
+        _borders = new(_control, _executor);
         _second = new(program, dialect);
-        _forks = new(_control, _run, _result, _executor, trial);
+        _forks = new(_control, _executor, trial);
     }
 
     internal ref readonly ModalState State => ref _control.State;
@@ -109,9 +108,10 @@ public sealed class NcInterpreter
     }
 
     /// <summary>Executes a program from its beginning along one way of a branch, until it meets the other one or cannot.</summary>
-    internal static (WayTrace? Trace, string? Meeting) Try(ProgramRun run, Forks.Trial trial)
+    internal static (WayTrace? Trace, string? Meeting) Try(NcControl control, Forks.Trial trial)
     {
-        var other = new NcInterpreter(run.Program, run.Dialect, new(), run.Library, run.Cancellation, trial);
+        var run = control.Run;
+        var other = new NcInterpreter(run.Program, control.Dialect, new(), run.Library, run.Cancellation, trial);
         other.Begin();
         while (!other._run.HasEnded && !other._run.Cancellation.IsCancellationRequested && other._forks.Arrive())
         {
@@ -133,7 +133,7 @@ public sealed class NcInterpreter
     private void Begin()
     {
         var bytes = _run.Program.Bytes.Span[SyntaxBytes.MarkLength(_run.Program.Bytes.Span)..];
-        _run.At = _run.Dialect.Syntax == NcSyntax.Siemens && bytes is [(byte)'%', ..] ? _run.Flow.First : BehindLeader();
+        _run.At = _control.Dialect.Syntax == NcSyntax.Siemens && bytes is [(byte)'%', ..] ? _run.Flow.First : BehindLeader();
     }
 
     // Executes the next block; false behind the last one of the program.
@@ -184,8 +184,8 @@ public sealed class NcInterpreter
         var assumed = NoteAssumed();
         NoteProgramsBehind();
         NcNote[] notes = [.. _result.Notes.Concat(_run.FlowNotes).Concat(_executor.Integers.Notes()).OrderBy(n => n.Block)];
-        return new(program, _run.Dialect, Motions, _result.Problems, _result.PlaceDependents, _executor.Layers.Frames, notes, _run.Refusal,
-            _run.Library)
+        return new(program, _control.Dialect, Motions, _result.Problems, _result.PlaceDependents, _control.Layers.Frames, notes,
+            _run.Refusal, _run.Library)
         {
             Borders = _borders.Borders,
             ToolChanges = _result.ToolChanges,
@@ -225,7 +225,7 @@ public sealed class NcInterpreter
     // What was assumed, as far as the program reads it.
     private string NoteAssumed()
     {
-        var assumed = _run.Dialect.Assumed;
+        var assumed = _control.Dialect.Assumed;
         if (assumed.Count == 0)
         {
             return "";
@@ -248,7 +248,7 @@ public sealed class NcInterpreter
 
     private int BehindLeader()
     {
-        var leader = Leader.BlocksOf(_run.Program, _run.Dialect);
+        var leader = Leader.BlocksOf(_run.Program, _control.Dialect);
         if (leader > 0)
         {
             _result.Note("leader", "What stands before the first percent sign is a leader, which the control does not read.");
@@ -311,7 +311,7 @@ public sealed class NcInterpreter
         }
 
         _borders.OnlyCuts &= executor.IsCut();
-        if (executor.Steering.ConcernFlow())
+        if (executor.Steering.ConcernsFlow())
         {
             RunAny(block);
             return;
@@ -324,26 +324,26 @@ public sealed class NcInterpreter
     private void RunAny(NcBlock block)
     {
         _borders.OnlyCuts = false;
-        if (_executor.SystemCommands.Run(block))
+        if (_executor.Steering.RunSystemCommand(block))
         {
             _executor.HasOnlyModes = false;
             return;
         }
 
-        if (_executor.Switches.PassesSkip(block))
+        if (_executor.Steering.PassesSkip(block))
         {
             return;
         }
 
         _executor.Refusals.ReadSpelling(_run.Text.BytesOf(block));
-        if (FlowTrigger.Concerns(_run.Text.BytesOf(block), _run.Dialect) && _executor.Steering.HasStatements(block))
+        if (FlowTrigger.Concerns(_run.Text.BytesOf(block), _control.Dialect) && _executor.Steering.HasStatements(block))
         {
             RunWithFlow(block);
             return;
         }
 
-        _executor.Reader.ReadTokens(block);
-        if (_executor.Steering.ConcernFlow())
+        _control.Values.Read(block);
+        if (_executor.Steering.ConcernsFlow())
         {
             RunWithFlow(block);
             return;
@@ -355,7 +355,7 @@ public sealed class NcInterpreter
 
     private void RunWithFlow(NcBlock block)
     {
-        if (_executor.Switches.RefusesSemicolon(block))
+        if (_executor.Steering.RefusesSemicolon(block))
         {
             return;
         }
@@ -365,7 +365,7 @@ public sealed class NcInterpreter
         var action = flow.ExecuteStatements(_run.At);
         if (action == FlowAction.Words)
         {
-            _executor.Reader.ReadTokens(block, flow.WordsFrom);
+            _control.Values.Read(block, flow.WordsFrom);
             if (flow.Refusal is null)
             {
                 _executor.Step(flow.WordsFrom > 0 ? MotionFlags.Conditional : MotionFlags.None);
@@ -373,7 +373,7 @@ public sealed class NcInterpreter
                 {
                     _result.DependOnPlace();
                     _executor.HasOnlyModes = false;
-                    _executor.Layers.Forget();
+                    _control.Layers.Forget();
                     _run.ForgetMachine();
                     _run.At++;
                     return;
@@ -381,7 +381,7 @@ public sealed class NcInterpreter
             }
 
             action = flow.ExecuteCalls(_run.At, _executor.Moved);
-            if (action == FlowAction.Continue && _executor.Steering.AreThere() && !flow.HasSteered)
+            if (action == FlowAction.Continue && _executor.Steering.HasSteeringWords() && !flow.HasSteered)
             {
                 action = flow.RefuseCall(_run.At, "A word of this block");
             }
@@ -389,7 +389,7 @@ public sealed class NcInterpreter
 
         if (flow.Variables.MachineWrites != writes)
         {
-            _executor.Layers.LoseOrigin();
+            _control.Layers.LoseOrigin();
         }
 
         var file = _run.Text;

@@ -4,11 +4,13 @@ namespace ErrorMatching.Nc;
 /// stretch. Suppose a later run of a similar program reaches a border in exactly the same state, and the bytes up to the next border are
 /// equal and only move. Then it takes over those motions and continues at that border. The result equals interpreting every block,
 /// because a block does the same in the same state.</summary>
-internal sealed class RunBorders(ControlState control, ProgramRun run, RunResult result, BlockExecutor executor)
+internal sealed class RunBorders(NcControl control, BlockExecutor executor)
 {
     /// <summary>Number of blocks from border to border; a power of two.</summary>
     public const int Stretch = 512;
 
+    private readonly ProgramRun _run = control.Run;
+    private readonly RunResult _result = control.Result;
     private readonly List<RunBorder> _borders = [];
     private int _next;
 
@@ -65,18 +67,18 @@ internal sealed class RunBorders(ControlState control, ProgramRun run, RunResult
     /// <summary>Stores the state at a border, the first time only: a loop passes a border more than once.</summary>
     public void Note()
     {
-        if (run.At == _next && run.At < run.Program.BlockCount)
+        if (_run.At == _next && _run.At < _run.Program.BlockCount)
         {
-            var endsCuts = OnlyCuts && result.Motions.Jumps == _jumps && result.Problems.Count == _problems;
-            _borders.Add(new(result.Motions.Length, control.State, executor.Integers.Count, endsCuts));
-            (_next, OnlyCuts, _jumps, _problems) = (run.At + Stretch, true, result.Motions.Jumps, result.Problems.Count);
+            var endsCuts = OnlyCuts && _result.Motions.Jumps == _jumps && _result.Problems.Count == _problems;
+            _borders.Add(new(_result.Motions.Length, control.State, executor.Integers.Count, endsCuts));
+            (_next, OnlyCuts, _jumps, _problems) = (_run.At + Stretch, true, _result.Motions.Jumps, _result.Problems.Count);
         }
     }
 
     /// <summary>Takes over the borders of a run ahead, after n motions, except its first, which is already here.</summary>
     public void Join(RunBorders ahead, int motions, NcMotions motionsAhead)
     {
-        if (_next != run.At + Stretch)
+        if (_next != _run.At + Stretch)
         {
             return;
         }
@@ -88,15 +90,15 @@ internal sealed class RunBorders(ControlState control, ProgramRun run, RunResult
         }
 
         (_next, OnlyCuts, _jumps, _problems) =
-            (ahead._next, ahead.OnlyCuts, result.Motions.Jumps - (motionsAhead.Jumps - ahead._jumps), result.Problems.Count);
+            (ahead._next, ahead.OnlyCuts, _result.Motions.Jumps - (motionsAhead.Jumps - ahead._jumps), _result.Problems.Count);
     }
 
     /// <summary>Skips equal stretches if this run arrived in the same state as the other. True if it did.</summary>
     public bool TryPass()
     {
-        var (first, behind) = (run.At / Stretch, Math.Min(_known.Count, _isSame.Length));
+        var (first, behind) = (_run.At / Stretch, Math.Min(_known.Count, _isSame.Length));
         if (first + 1 >= behind || !_isSame[first + 1] || !StandsAs(_known[first].State)
-            || !result.Motions.EndsAsAfter(_known[first].Motions))
+            || !_result.Motions.EndsAsAfter(_known[first].Motions))
         {
             return false;
         }
@@ -109,10 +111,10 @@ internal sealed class RunBorders(ControlState control, ProgramRun run, RunResult
             last++;
         }
 
-        result.Motions.TakeOver(_known[last].Motions);
+        _result.Motions.TakeOver(_known[last].Motions);
         control.State = _known[last].State;
         executor.Integers.Add(_known[last].Integers - _known[first].Integers);
-        run.At = last * Stretch;
+        _run.At = last * Stretch;
         return last > first;
     }
 
