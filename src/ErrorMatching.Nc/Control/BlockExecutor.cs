@@ -115,58 +115,64 @@ internal sealed class BlockExecutor
         return isCut;
     }
 
-    /// <summary>The fast path for nearly all blocks: a straight move of plain words in a state without cycles, transformations and the
-    /// like. It does what <see cref="Step"/> would do, as a test checks.</summary>
-    /// <returns>False if the block may have more than a straight move; then nothing was done.</returns>
+    /// <summary>The short way for nearly all blocks: a straight move of plain words in a state without cycles, transformations and the
+    /// like. False if the block may have more than that; then nothing was done.</summary>
+    /// <remarks>
+    /// Motions, modes, problems and counts are those of <see cref="Step"/>, as a test checks. Where the two differ:
+    /// <list type="bullet">
+    /// <item><description>The intent stays that of the last block of <see cref="Step"/>. It is read only in and after
+    /// <see cref="Step"/>, which begins another one; an unknown code in it keeps blocks off this way.</description></item>
+    /// <item><description>A D word that LinuxCNC forgets behind its block stays until the next <see cref="Step"/>, which forgets it before
+    /// anything reads it.</description></item>
+    /// <item><description>Codes at which the control stops under compensation are not looked for: G0 and G1 are none of
+    /// them.</description></item>
+    /// <item><description><see cref="HasOnlyModes"/> stays, as these words change no more than modes and the tool's place. A rotary axis
+    /// ends it in <see cref="Step"/>, but not here.</description></item>
+    /// <item><description>The motion is added without layers and corners: programmed coordinates are work coordinates, and no corner is
+    /// pending or stated.</description></item>
+    /// </list>
+    /// </remarks>
     public bool TryRunStraight()
     {
-        if ((_words.Present & ~_straightLetters) != 0 || _words.Repeated != 0 || _words.Functions.Length != 0 || !IsStraight())
+        var isStraight = (_words.Present & ~_straightLetters) == 0 && _words.Repeated == 0 && _words.Functions.Length == 0
+            && IsStraight() && TryBeginStraight();
+        if (isStraight)
         {
-            return false;
+            ref var state = ref _control.State;
+            ReadNumbers(state.InchFeed);
+            if ((_words.Present & _axes) != 0)
+            {
+                var given = _words.Present & BlockWords.LinearAxes;
+                var incremental = state.Incremental ? given : 0;
+                var flags = (_words.Present & _values.OtherAxes) != 0 ? MotionFlags.OtherAxis : MotionFlags.None;
+                _moves.AppendStraight(
+                    flags, _values.End(state.Position, given, incremental), state.Unknown & ~BlockWords.AxesOf(given & ~incremental));
+            }
         }
 
-        ref var state = ref _control.State;
+        return isStraight;
+    }
+
+    // Puts G0 or G1 in force if the block states it, or goes on with the one in force. False if it has another code, or if the control may
+    // refuse it.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private bool TryBeginStraight()
+    {
         var codes = _words.Codes;
-        if (codes.Length > 0)
+        if (codes.Length == 0)
         {
-            var meaning = _dialect.MeaningOf(codes[0]);
-            if (codes.Length > 1 || meaning is not (NcMeaning.Rapid or NcMeaning.Line)
-                || (_values.ListsIdleMoves && (_words.Present & BlockWords.LinearAxes) == 0))
-            {
-                return false;
-            }
-
-            if (!Refusals.PassStraight(hasCode: true, meaning == NcMeaning.Line))
-            {
-                return false;
-            }
-
-            _control.Mode(meaning == NcMeaning.Rapid ? MotionKind.Rapid : MotionKind.Line);
+            return _control.State.Mode is MotionKind.Rapid or MotionKind.Line && Refusals.PassStraight(hasCode: false, isLine: false);
         }
-        else if (state.Mode is not (MotionKind.Rapid or MotionKind.Line) || !Refusals.PassStraight(hasCode: false, isLine: false))
+
+        var meaning = _dialect.MeaningOf(codes[0]);
+        if (codes.Length > 1 || meaning is not (NcMeaning.Rapid or NcMeaning.Line)
+            || (_values.ListsIdleMoves && (_words.Present & BlockWords.LinearAxes) == 0)
+            || !Refusals.PassStraight(hasCode: true, meaning == NcMeaning.Line))
         {
             return false;
         }
 
-        if (_words.Has('F'))
-        {
-            state.Feed = _words.Value('F') * (state.InchFeed && !state.InverseTime ? NcControl.MmPerInch : 1);
-        }
-
-        if ((_words.Present & _axes) != 0)
-        {
-            if (Integers.Matter && (_words.Integers & BlockWords.LinearAxes) != 0)
-            {
-                Integers.CountIn(_result.Block);
-            }
-
-            var given = _words.Present & BlockWords.LinearAxes;
-            var incremental = state.Incremental ? given : 0;
-            var flags = (_words.Present & _values.OtherAxes) != 0 ? MotionFlags.OtherAxis : MotionFlags.None;
-            _moves.AppendStraight(
-                flags, _values.End(state.Position, given, incremental), state.Unknown & ~BlockWords.AxesOf(given & ~incremental));
-        }
-
+        _control.Mode(meaning == NcMeaning.Rapid ? MotionKind.Rapid : MotionKind.Line);
         return true;
     }
 
@@ -280,12 +286,13 @@ internal sealed class BlockExecutor
 
         var saves = modes is FunctionRole.SaveModes or FunctionRole.SaveModesOfCall;
         var before = saves ? _memory.Now(atReturn: modes == FunctionRole.SaveModesOfCall) : default;
-        var inchFeed = _control.State.InchFeed;
+        var inchFeedBefore = _control.State.InchFeed;
         flags |= _codes.ReadCodes() | _codes.ReadFunctions() | Refusals.Read();
         _memory.Drop();
         if (_intent.Use is not (AxisUse.Nothing or AxisUse.Corner))
         {
-            ReadNumbers(inchFeed);
+            // LinuxCNC applies the feed of a block before its units.
+            ReadNumbers(_dialect.Syntax == NcSyntax.LinuxCnc ? inchFeedBefore : _control.State.InchFeed);
         }
 
         if (saves)
@@ -296,18 +303,17 @@ internal sealed class BlockExecutor
         return flags;
     }
 
-    private void ReadNumbers(bool inchFeedBefore)
+    // Counts coordinates without a point, and takes the feed over, for both ways of executing a block.
+    private void ReadNumbers(bool inchFeed)
     {
-        if (Integers.Matter && _words.Integers != 0)
+        if (Integers.Matter && (_words.Integers & _values.LengthLetters) != 0)
         {
             Integers.CountIn(_result.Block);
         }
 
         if (_words.Has('F'))
         {
-            // LinuxCNC applies the feed of a block before its units.
             ref var state = ref _control.State;
-            var inchFeed = _dialect.Syntax == NcSyntax.LinuxCnc ? inchFeedBefore : state.InchFeed;
             state.Feed = _words.Value('F') * (inchFeed && !state.InverseTime ? NcControl.MmPerInch : 1);
         }
     }
