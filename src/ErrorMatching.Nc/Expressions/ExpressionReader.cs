@@ -1,3 +1,6 @@
+using System.Diagnostics.CodeAnalysis;
+using System.Runtime.CompilerServices;
+
 namespace ErrorMatching.Nc;
 
 /// <summary>Reads an expression from a block's bytes and computes it while reading: precedence climbing over the operators of
@@ -308,5 +311,25 @@ internal ref struct ExpressionReader
         }
 
         return false;
+    }
+}
+
+/// <summary>The arguments of one function, stored without allocating.</summary>
+internal struct ArgumentList
+{
+    private Storage _storage;
+
+    public int Count { get; private set; }
+
+    [UnscopedRef]
+    public readonly ReadOnlySpan<NcValue> Values => ((ReadOnlySpan<NcValue>)_storage)[..Count];
+
+    public void Add(NcValue value) => _storage[Count++] = value;
+
+    // No function has more than three.
+    [InlineArray(3)]
+    private struct Storage
+    {
+        private NcValue _first;
     }
 }

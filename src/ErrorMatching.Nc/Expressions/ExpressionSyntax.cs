@@ -117,3 +117,19 @@ internal sealed class ExpressionSyntax
         new("LE", ExpressionOperator.LessOrEqual, rank),
     ];
 }
+
+/// <summary>The name of a function and its number of arguments.</summary>
+/// <param name="Name">Its upper-case ASCII name.</param>
+/// <param name="Meaning">What it computes.</param>
+/// <param name="Least">Minimum number of arguments.</param>
+/// <param name="Most">Maximum number of arguments.</param>
+internal sealed record FunctionSpelling(string Name, ExpressionFunction Meaning, int Least = 1, int Most = 1);
+
+/// <summary>The spelling of an operator and its precedence.</summary>
+/// <param name="Spelling">Its upper-case ASCII text.</param>
+/// <param name="Meaning">What it computes.</param>
+/// <param name="Rank">Operators of a higher rank are computed first.</param>
+internal sealed record OperatorSpelling(string Spelling, ExpressionOperator Meaning, int Rank)
+{
+    public bool IsWord => char.IsAsciiLetter(Spelling[0]);
+}
