@@ -21,3 +21,26 @@ public sealed record NcProof(
     double MaxDeviationFromWantedMm,
     bool UntouchedBytesIdentical,
     IReadOnlyList<Refusal> Failures);
+
+/// <summary>An unnamed motion that moved along with the named ones, as allowed.</summary>
+/// <param name="Block">Name of its block, as the setter knows it.</param>
+/// <param name="Line">Its line in the original, from 1.</param>
+/// <param name="Role">How it follows.</param>
+/// <param name="DisplacementMm">How far it moved at most, at its ends and between them, mm.</param>
+public sealed record ProofNeighbor(string Block, int Line, NeighborRole Role, double DisplacementMm);
+
+/// <summary>How an unnamed motion follows the named ones.</summary>
+public enum NeighborRole
+{
+    /// <summary>Its end moved along its own line or circle.</summary>
+    Slides,
+
+    /// <summary>Its end moved by the displacement of the adjacent element.</summary>
+    Follows,
+
+    /// <summary>A fillet between two displaced lines, still tangent to both.</summary>
+    Fillet,
+
+    /// <summary>Positioning to or from the new place.</summary>
+    Positioning,
+}
