@@ -177,3 +177,33 @@ public static class OffsetProgram
 
     private static string Text(decimal value) => value.ToString("0.0#######", CultureInfo.InvariantCulture);
 }
+
+/// <summary>A correction of a work offset: a turn about its origin, and a shift, both in the XY plane.</summary>
+/// <param name="Number">Number of the work offset; 1 for the control's first one (G54).</param>
+/// <param name="Total">The correction in all.</param>
+/// <param name="Before">The correction that must be there before; null if any may be.</param>
+public sealed record WorkOffsetCorrection(int Number, OffsetShift Total, OffsetShift? Before);
+
+/// <summary>A turn about the origin, then a shift, in the XY plane.</summary>
+/// <param name="XMm">Shift in X, mm.</param>
+/// <param name="YMm">Shift in Y, mm.</param>
+/// <param name="RotationDegrees">Turn, degrees, counterclockwise.</param>
+public readonly record struct OffsetShift(decimal XMm, decimal YMm, decimal RotationDegrees);
+
+/// <summary>A correction of the radius with which a control compensates a tool.</summary>
+/// <param name="Number">Number of the offset (D; the edge where offsets belong to a tool).</param>
+/// <param name="Tool">Number of the tool.</param>
+/// <param name="TotalMm">The correction in all, mm; positive moves the tool away from the contour.</param>
+/// <param name="BeforeMm">The correction that must be there before; null if any may be.</param>
+public sealed record RadiusCorrection(int Number, int Tool, decimal TotalMm, decimal? BeforeMm);
+
+/// <summary>How far corrections by offsets may go.</summary>
+/// <param name="StepMm">Largest change of one offset by one program, mm.</param>
+/// <param name="TotalMm">Largest correction of one offset in all, mm.</param>
+/// <param name="StepDegrees">Largest change of a rotation by one program, degrees.</param>
+/// <param name="TotalDegrees">Largest rotation in all, degrees.</param>
+public sealed record OffsetLimits(decimal StepMm, decimal TotalMm, decimal StepDegrees, decimal TotalDegrees)
+{
+    /// <summary>0.05 mm and 0.02 degrees in a step, four times that in all.</summary>
+    public static OffsetLimits Default { get; } = new(0.05m, 0.2m, 0.02m, 0.08m);
+}
