@@ -257,3 +257,22 @@ public sealed class NcPath
 
     private int BlockAt(int[]? order, int place) => Motions.BlockOf(order is null ? place : order[place]);
 }
+
+/// <summary>Something in a program that the interpreter did not understand or considers wrong. The program stays unchanged.</summary>
+/// <param name="Code">A stable identifier.</param>
+/// <param name="Block">Position of the block, from 0.</param>
+/// <param name="Message">What was found.</param>
+public sealed record NcProblem(string Code, int Block, string Message);
+
+/// <summary>A note on how a program was read: something that another machine could read differently, or control behavior that is not
+/// followed. The program itself is not wrong.</summary>
+/// <param name="Code">A stable identifier.</param>
+/// <param name="Block">Position of the first block concerned, from 0.</param>
+/// <param name="Count">Number of occurrences while the program ran.</param>
+/// <param name="Message">What was found and how it was read, in a sentence.</param>
+public sealed record NcNote(string Code, int Block, long Count, string Message);
+
+/// <summary>A program that the interpreted one calls and that is in another file.</summary>
+/// <param name="Name">The name by which it is called: <c>O1002</c>, <c>POCKET</c>.</param>
+/// <param name="Sha256">SHA-256 of its bytes as 64 lower-case hexadecimal digits.</param>
+public sealed record CalledProgram(string Name, string Sha256);
