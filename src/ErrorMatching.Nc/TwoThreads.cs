@@ -10,27 +10,27 @@ internal static class TwoThreads
 
     /// <summary>Runs work on both halves of a range concurrently.</summary>
     /// <param name="from">The first part.</param>
-    /// <param name="behind">The part after the last.</param>
+    /// <param name="end">The part after the last.</param>
     /// <param name="work">Processes the parts from its first argument up to, not including, its second; must not change state that the
     /// other half sees.</param>
     /// <returns>The results of both halves, the same as if run one after the other.</returns>
-    public static (T First, T Second) Of<T>(int from, int behind, Func<int, int, T> work)
+    public static (T First, T Second) Of<T>(int from, int end, Func<int, int, T> work)
     {
-        var half = from + ((behind - from) / 2);
-        var second = Task.Run(() => work(half, behind));
+        var half = from + ((end - from) / 2);
+        var second = Task.Run(() => work(half, end));
         var first = work(from, half);
         return (first, second.GetAwaiter().GetResult());
     }
 
     /// <summary>The first refusal of work on many parts, on two threads if there are enough parts.</summary>
-    public static Refusal? Refusal(int from, int behind, Func<int, int, Refusal?> work)
+    public static Refusal? Refusal(int from, int end, Func<int, int, Refusal?> work)
     {
-        if (behind - from < Many)
+        if (end - from < Many)
         {
-            return work(from, behind);
+            return work(from, end);
         }
 
-        var (first, second) = Of(from, behind, work);
+        var (first, second) = Of(from, end, work);
         return first ?? second;
     }
 }

@@ -62,16 +62,16 @@ internal sealed class Chunks<T>
 
     /// <summary>Appends the items of the similar list from this list's end up to a position. This list must have been created in place.
     /// Shares whole pieces.</summary>
-    public void TakeOver(int behind)
+    public void TakeOver(int end)
     {
-        while (Count < behind)
+        while (Count < end)
         {
             if (_used == _end)
             {
                 Grow();
             }
 
-            var (piece, at, items) = (_used >> Shift, _used & (Size - 1), Math.Min(_end - _used, behind - Count));
+            var (piece, at, items) = (_used >> Shift, _used & (Size - 1), Math.Min(_end - _used, end - Count));
             if (items == Size)
             {
                 _chunks[piece] = _like!._chunks[piece];

@@ -44,10 +44,10 @@ internal sealed class MotionArcs
     }
 
     /// <summary>Appends the arcs of the similar list from a motion up to, not including, another.</summary>
-    public void TakeOver(MotionArcs like, int first, int behind)
+    public void TakeOver(MotionArcs like, int first, int end)
     {
-        _areArcs.AddFrom(like._areArcs, first, behind);
-        _arcs.TakeOver(like.CountTo(behind - 1));
+        _areArcs.AddFrom(like._areArcs, first, end);
+        _arcs.TakeOver(like.CountTo(end - 1));
     }
 
     /// <summary>Values that only arcs have.</summary>

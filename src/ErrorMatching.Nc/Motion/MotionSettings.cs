@@ -63,15 +63,15 @@ internal sealed class MotionSettings
 
     /// <summary>Appends the settings of another list from a motion up to, not including, another. Both lists have the same setting at
     /// the motion before the first.</summary>
-    public void TakeOver(MotionSettings like, int first, int behind)
+    public void TakeOver(MotionSettings like, int first, int end)
     {
-        for (var setting = like._areNew.CountTo(first - 1); setting < like._areNew.CountTo(behind - 1); setting++)
+        for (var setting = like._areNew.CountTo(first - 1); setting < like._areNew.CountTo(end - 1); setting++)
         {
             Append(like._settings[setting]);
         }
 
-        _areNew.AddFrom(like._areNew, first, behind);
-        (_lastFeed, _lastFrame) = this[behind - 1];
+        _areNew.AddFrom(like._areNew, first, end);
+        (_lastFeed, _lastFrame) = this[end - 1];
     }
 
     private void Append(Setting setting)

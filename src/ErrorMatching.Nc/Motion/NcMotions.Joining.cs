@@ -53,13 +53,13 @@ public sealed partial class NcMotions
 
     /// <summary>Appends the motions of the similar list up to, not including, a position. <see cref="EndsAsAfter"/> must be true here,
     /// and none of the motions may jump.</summary>
-    internal void TakeOver(int behind)
+    internal void TakeOver(int end)
     {
         var (first, like) = (Length, _like!);
-        _settings.TakeOver(like._settings, first, behind);
-        _arcs.TakeOver(like._arcs, first, behind);
-        _motions.TakeOver(behind);
+        _settings.TakeOver(like._settings, first, end);
+        _arcs.TakeOver(like._arcs, first, end);
+        _motions.TakeOver(end);
         HasPoints |= like.HasPoints;
-        _lastBlock = BlockOf(behind - 1);
+        _lastBlock = BlockOf(end - 1);
     }
 }

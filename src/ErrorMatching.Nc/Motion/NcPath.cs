@@ -158,13 +158,13 @@ public sealed class NcPath
         if (Motions.FollowBlocks)
         {
             var first = FirstFrom(null, block, ref _recent);
-            var behind = first;
-            while (behind < Motions.Length && Motions.BlockOf(behind) == block)
+            var end = first;
+            while (end < Motions.Length && Motions.BlockOf(end) == block)
             {
-                behind++;
+                end++;
             }
 
-            var motions = new int[behind - first];
+            var motions = new int[end - first];
             for (var i = 0; i < motions.Length; i++)
             {
                 motions[i] = first + i;

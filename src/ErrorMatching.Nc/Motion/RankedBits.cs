@@ -26,17 +26,17 @@ internal sealed class RankedBits
     }
 
     /// <summary>Appends the bits of another list from a position up to, not including, another.</summary>
-    public void AddFrom(RankedBits other, int position, int behind)
+    public void AddFrom(RankedBits other, int position, int end)
     {
         // Bit by bit up to a word boundary of the other list, then word by word, each in two parts.
-        for (; (position & 63) != 0 && position < behind; position++)
+        for (; (position & 63) != 0 && position < end; position++)
         {
             Add(other[position]);
         }
 
-        for (; position < behind; position += 64)
+        for (; position < end; position += 64)
         {
-            var rest = Math.Min(64, behind - position);
+            var rest = Math.Min(64, end - position);
             var bits = other._bits[position >> 6] & (ulong.MaxValue >> (64 - rest));
             while (rest > 0)
             {

@@ -15,15 +15,15 @@ internal sealed class BlockComparison(NcPath before, NcPath after)
 
     /// <summary>The first block whose bytes, including the line end, differ from the result; the end of the range if none.</summary>
     /// <param name="first">First block of the original to compare.</param>
-    /// <param name="behind">End of the range.</param>
+    /// <param name="end">End of the range.</param>
     /// <param name="linesBefore">Number of lines by which the blocks are further down in the result.</param>
-    public int NextDifference(int first, int behind, int linesBefore)
+    public int NextDifference(int first, int end, int linesBefore)
     {
         var (was, now) = (before.Program, after.Program);
-        while (first < behind)
+        while (first < end)
         {
-            var a = was.Bytes.Span[was[first].Start..EndOf(was, behind - 1)];
-            var b = now.Bytes.Span[now[first + linesBefore].Start..EndOf(now, behind - 1 + linesBefore)];
+            var a = was.Bytes.Span[was[first].Start..EndOf(was, end - 1)];
+            var b = now.Bytes.Span[now[first + linesBefore].Start..EndOf(now, end - 1 + linesBefore)];
             var same = a.CommonPrefixLength(b);
             // The end of a line can depend on the byte after it, so the block of the last equal byte is still in doubt.
             first = same <= was[first].FullLength ? first : was.BlockAt(was[first].Start + same - 1);
@@ -35,7 +35,7 @@ internal sealed class BlockComparison(NcPath before, NcPath after)
             first++;
         }
 
-        return behind;
+        return end;
     }
 
     /// <summary>True if two blocks differ only in the values of words that the motion's new place changes, and in words that it now needs

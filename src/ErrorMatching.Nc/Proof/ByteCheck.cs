@@ -25,23 +25,23 @@ internal sealed class ByteCheck(ProofTask task, List<int> different)
         var many = different.Count >= Many;
         for (var first = from; first < end;)
         {
-            var (begin, behind) = (first, many ? Math.Min(end, first + PartOfMany) : end);
+            var (begin, partEnd) = (first, many ? Math.Min(end, first + PartOfMany) : end);
             yield return many
-                ? Task.Run(() => ComparePart(begin, behind, linesBefore))
-                : Task.FromResult(ComparePart(begin, behind, linesBefore));
-            first = behind;
+                ? Task.Run(() => ComparePart(begin, partEnd, linesBefore))
+                : Task.FromResult(ComparePart(begin, partEnd, linesBefore));
+            first = partEnd;
         }
     }
 
     // Compares blocks that are a number of lines further down in the result.
-    private (bool Identical, List<Refusal> Failures) ComparePart(int first, int behind, int linesBefore)
+    private (bool Identical, List<Refusal> Failures) ComparePart(int first, int end, int linesBefore)
     {
         var compared = new BlockComparison(task.Before, task.After);
         var failures = new List<Refusal>();
         var (identical, recent) = (true, 0);
-        for (var i = compared.NextDifference(first, behind, linesBefore);
-            i < behind;
-            i = compared.NextDifference(i + 1, behind, linesBefore))
+        for (var i = compared.NextDifference(first, end, linesBefore);
+            i < end;
+            i = compared.NextDifference(i + 1, end, linesBefore))
         {
             var motion = task.Before.RunOf(i, 0, ref recent);
             if (motion < 0 && _movedPoles.Value.Contains(i))
@@ -83,8 +83,8 @@ internal sealed class ByteCheck(ProofTask task, List<int> different)
         var moved = new HashSet<int>();
         for (var i = 0; i < poles.Count; i++)
         {
-            var behind = i + 1 < poles.Count ? poles[i + 1].Motions : before.Length;
-            for (var arc = poles[i].Motions; arc < behind && arc < before.Length; arc++)
+            var end = i + 1 < poles.Count ? poles[i + 1].Motions : before.Length;
+            for (var arc = poles[i].Motions; arc < end && arc < before.Length; arc++)
             {
                 if (before[arc].Has(MotionFlags.CenterBefore)
                     && (before[arc].Center != after[arc].Center || before[poles[i].Motions].Start != after[poles[i].Motions].Start))

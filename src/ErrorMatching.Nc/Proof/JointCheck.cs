@@ -30,10 +30,10 @@ internal sealed class JointCheck(ProofTask task, ProofFindings findings, WayChec
 
         for (var run = 1; run < task.Elements.Count; run++)
         {
-            var (first, behind) = (task.Elements[run - 1].Last + 1, task.Elements[run].First);
-            if (fillets.IsWhole(first, behind - 1))
+            var (first, end) = (task.Elements[run - 1].Last + 1, task.Elements[run].First);
+            if (fillets.IsWhole(first, end - 1))
             {
-                allowed.AsSpan()[first..behind].Fill(true);
+                allowed.AsSpan()[first..end].Fill(true);
             }
         }
 

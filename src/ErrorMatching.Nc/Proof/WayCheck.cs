@@ -46,18 +46,18 @@ internal sealed class WayCheck(ProofTask task, ProofFindings findings)
             return false;
         }
 
-        var (first, behind) = (arc, arc + 1);
+        var (first, end) = (arc, arc + 1);
         while (first > 0 && GoesAlong(first - 1) && !task.EndPoints.Contains(first - 1))
         {
             first--;
         }
 
-        while (behind < task.Before.Motions.Length && GoesAlong(behind) && !task.EndPoints.Contains(behind - 1))
+        while (end < task.Before.Motions.Length && GoesAlong(end) && !task.EndPoints.Contains(end - 1))
         {
-            behind++;
+            end++;
         }
 
-        return IsHeld(first, first - 1) && IsHeld(behind, behind);
+        return IsHeld(first, first - 1) && IsHeld(end, end);
     }
 
     private bool IsHeld(int joint, int motion) =>
@@ -118,19 +118,19 @@ internal sealed class WayCheck(ProofTask task, ProofFindings findings)
         }
 
         var isLifted = task.Before.ChangesTool(joint, joint);
-        var behind = joint;
-        for (; behind < motions.Length && GoesAlong(behind); behind++)
+        var end = joint;
+        for (; end < motions.Length && GoesAlong(end); end++)
         {
-            isLifted |= motions[behind].Kind != MotionKind.Line || task.Before.ChangesTool(behind + 1, behind + 1);
+            isLifted |= motions[end].Kind != MotionKind.Line || task.Before.ChangesTool(end + 1, end + 1);
         }
 
-        return isLifted && !(HasLeadArc(joint, behind) && motions.PlaceOf(joint).Z > motions.PlaceOf(behind).Z);
+        return isLifted && !(HasLeadArc(joint, end) && motions.PlaceOf(joint).Z > motions.PlaceOf(end).Z);
     }
 
     // An arc that leads down to the contour was reached above it, where a cut may end elsewhere.
-    private bool HasLeadArc(int first, int behind)
+    private bool HasLeadArc(int first, int end)
     {
-        for (var i = first; i < behind; i++)
+        for (var i = first; i < end; i++)
         {
             if (task.Before.Motions.IsLeadArc(i))
             {

@@ -36,14 +36,14 @@ internal sealed class DisplacedElements(NcPath path, IReadOnlyList<ElementWish> 
             _asked.Add(wishes[i].Motion);
             yield return wishes[i];
             var first = wishes[i].Motion + 1;
-            var behind = i + 1 < wishes.Count ? wishes[i + 1].Motion : first;
-            if (behind == first || Fillet.Around(path, first) is not { } around || around != (first, behind - 1))
+            var end = i + 1 < wishes.Count ? wishes[i + 1].Motion : first;
+            if (end == first || Fillet.Around(path, first) is not { } around || around != (first, end - 1))
             {
                 continue;
             }
 
             var (from, to) = (wishes[i].End, wishes[i + 1].Start);
-            for (var motion = first; motion < behind; motion++)
+            for (var motion = first; motion < end; motion++)
             {
                 var fillet = new ElementWish(motion, from, (from + to) / 2, to, IsFillet: true);
                 _otherWishes.Add(motion, fillet);

@@ -168,13 +168,13 @@ internal sealed class ElementDisplacer
     private Refusal? CheckSense()
     {
         var affected = _change.Affected();
-        return TwoThreads.Refusal(0, affected.Count, (from, behind) => CheckSense(affected, from, behind));
+        return TwoThreads.Refusal(0, affected.Count, (from, end) => CheckSense(affected, from, end));
     }
 
-    private Refusal? CheckSense(List<int> affected, int from, int behind)
+    private Refusal? CheckSense(List<int> affected, int from, int end)
     {
         var motions = _path.Motions;
-        for (var k = from; k < behind; k++)
+        for (var k = from; k < end; k++)
         {
             var i = affected[k];
             if (motions[i] is not { IsCut: true, MovesInPlane: true } motion

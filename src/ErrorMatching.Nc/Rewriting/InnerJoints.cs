@@ -14,7 +14,7 @@ internal sealed class InnerJoints(DisplacedElements elements, PathChange change,
     {
         // NaN if a joint is not smooth.
         var moves = new Vector2[last - first];
-        if (TwoThreads.Refusal(first + 1, last + 1, (from, behind) => SmoothMoves(first, from, behind, moves)) is { } unfit)
+        if (TwoThreads.Refusal(first + 1, last + 1, (from, end) => SmoothMoves(first, from, end, moves)) is { } unfit)
         {
             return unfit;
         }
@@ -48,10 +48,10 @@ internal sealed class InnerJoints(DisplacedElements elements, PathChange change,
     }
 
     // The displacements of the joints inside a run, if smooth and not yet set. Changes nothing, so two threads can run it.
-    private Refusal? SmoothMoves(int first, int from, int behind, Vector2[] moves)
+    private Refusal? SmoothMoves(int first, int from, int end, Vector2[] moves)
     {
         var begin = _path.Motions[first];
-        for (var joint = from; joint < behind; joint++)
+        for (var joint = from; joint < end; joint++)
         {
             var motion = _path.Motions[joint];
             if (motion.Plane != begin.Plane)

@@ -38,13 +38,13 @@ internal sealed class PoleWords(PathChange change, IncrementGrid grid)
         for (var i = 0; i < _path.Poles.Count; i++)
         {
             var (first, block) = _path.Poles[i];
-            var behind = i + 1 < _path.Poles.Count ? _path.Poles[i + 1].Motions : _path.Motions.Length;
-            if (first == behind)
+            var end = i + 1 < _path.Poles.Count ? _path.Poles[i + 1].Motions : _path.Motions.Length;
+            if (first == end)
             {
                 continue;
             }
 
-            var arcs = Enumerable.Range(first, behind - first).Where(m => _path.Motions[m].Has(MotionFlags.CenterBefore)).ToList();
+            var arcs = Enumerable.Range(first, end - first).Where(m => _path.Motions[m].Has(MotionFlags.CenterBefore)).ToList();
             if (!change.IsSet(first) && !arcs.Exists(_wanted.ContainsKey))
             {
                 if (edited.GetValueOrDefault(block) is { Length: > 0 })
@@ -55,7 +55,7 @@ internal sealed class PoleWords(PathChange change, IncrementGrid grid)
                 continue;
             }
 
-            var refusal = Edit(edit, arcs, first, block, behind, out var move)
+            var refusal = Edit(edit, arcs, first, block, end, out var move)
                 ?? Keep(edited, block, [.. edit.Patches])
                 ?? EditEnds(arcs, move, edited);
             if (refusal is not null)
@@ -119,11 +119,11 @@ internal sealed class PoleWords(PathChange change, IncrementGrid grid)
     }
 
     private Refusal? Edit(
-        BlockEdit edit, List<int> arcs, int first, int block, int behind, out (long First, long Second) moved)
+        BlockEdit edit, List<int> arcs, int first, int block, int end, out (long First, long Second) moved)
     {
         moved = (0, 0);
         edit.Open(_path.Program[block]);
-        if (arcs.Count == 0 && !Enumerable.Range(first, behind - first).Any(IsPolar))
+        if (arcs.Count == 0 && !Enumerable.Range(first, end - first).Any(IsPolar))
         {
             return null;
         }
@@ -137,7 +137,7 @@ internal sealed class PoleWords(PathChange change, IncrementGrid grid)
                     + "them.");
         }
 
-        if (move != (0, 0) && Enumerable.Range(first, behind - first).Any(IsPolar))
+        if (move != (0, 0) && Enumerable.Range(first, end - first).Any(IsPolar))
         {
             return Refuse(
                 block, NcRefusalCodes.ArcForm,

@@ -189,9 +189,9 @@ internal static class Positioning
     // A vertical arc or a helix leads down from the other end, where the tool is above the contour: the way there may end elsewhere.
     private static bool IsAbove(NcPath path, int joint, int other)
     {
-        var (first, behind) = (Math.Min(joint, other), Math.Max(joint, other));
+        var (first, end) = (Math.Min(joint, other), Math.Max(joint, other));
         var hasArc = false;
-        for (var i = first; i < behind; i++)
+        for (var i = first; i < end; i++)
         {
             hasArc |= path.Motions.IsLeadArc(i);
         }
@@ -202,10 +202,10 @@ internal static class Positioning
     private static bool IsCut(in NcMotion motion) => motion is { IsCut: true, MovesInPlane: true } && !motion.Has(MotionFlags.MachineMove);
 
     // A stretch between cuts on which the tool did not keep cutting.
-    private static bool IsLifted(NcPath path, int from, int behind)
+    private static bool IsLifted(NcPath path, int from, int end)
     {
-        var isLifted = path.ChangesTool(from, behind);
-        for (var i = from; i < behind; i++)
+        var isLifted = path.ChangesTool(from, end);
+        for (var i = from; i < end; i++)
         {
             isLifted |= path.Motions[i].Kind != MotionKind.Line;
         }

@@ -14,16 +14,16 @@ public sealed record NcCensus(int Blocks, long Words, bool RoundTrips)
             return Of(program, 0, program.BlockCount);
         }
 
-        var (first, second) = TwoThreads.Of(0, program.BlockCount, (from, behind) => Of(program, from, behind));
+        var (first, second) = TwoThreads.Of(0, program.BlockCount, (from, end) => Of(program, from, end));
         return new(program.BlockCount, first.Words + second.Words, first.RoundTrips && second.RoundTrips);
     }
 
     // A copy has the same bytes if each piece begins where the one before ends, from the first byte to the last.
-    private static NcCensus Of(NcProgram program, int from, int behind)
+    private static NcCensus Of(NcProgram program, int from, int end)
     {
         var (plain, words) = (new BlockWords(), 0L);
         var (at, joins) = (from == 0 ? 0 : EndOf(program, from - 1), true);
-        for (var i = from; i < behind; i++)
+        for (var i = from; i < end; i++)
         {
             var block = program[i];
             joins &= block.Start == at;
@@ -51,7 +51,7 @@ public sealed record NcCensus(int Blocks, long Words, bool RoundTrips)
             joins &= joint == block.End;
         }
 
-        return new(behind - from, words, joins && (behind < program.BlockCount || at == program.Bytes.Length));
+        return new(end - from, words, joins && (end < program.BlockCount || at == program.Bytes.Length));
     }
 
     private static int EndOf(NcProgram program, int block) => program[block].Start + program[block].FullLength;

@@ -75,11 +75,11 @@ public sealed class NcInterpreter
     }
 
     /// <summary>Runs blocks from a given state until one that could do more than move; that one does not run.</summary>
-    internal void RunCuts(in ModalState state, int from, int behind)
+    internal void RunCuts(in ModalState state, int from, int end)
     {
         (_control.State, _run.At) = (state, from);
         _borders.BeginAt(from);
-        for (; _run.At < behind; _run.At++)
+        for (; _run.At < end; _run.At++)
         {
             var at = _result.Block = _run.At;
             if ((at & (RunBorders.Stretch - 1)) == 0)

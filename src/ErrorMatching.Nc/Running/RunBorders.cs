@@ -50,9 +50,9 @@ internal sealed class RunBorders(NcControl control, BlockExecutor executor)
 
         return isSame;
 
-        bool Compare(int from, int behind)
+        bool Compare(int from, int end)
         {
-            for (var border = from; border < behind; border++)
+            for (var border = from; border < end; border++)
             {
                 isSame[border] = like.Borders[border].EndsCuts && Bytes(program, border).SequenceEqual(Bytes(like.Program, border));
             }
@@ -96,8 +96,8 @@ internal sealed class RunBorders(NcControl control, BlockExecutor executor)
     /// <summary>Skips equal stretches if this run arrived in the same state as the other. True if it did.</summary>
     public bool TryPass()
     {
-        var (first, behind) = (_run.At / Stretch, Math.Min(_known.Count, _isSame.Length));
-        if (first + 1 >= behind || !_isSame[first + 1] || !StandsAs(_known[first].State)
+        var (first, end) = (_run.At / Stretch, Math.Min(_known.Count, _isSame.Length));
+        if (first + 1 >= end || !_isSame[first + 1] || !StandsAs(_known[first].State)
             || !_result.Motions.EndsAsAfter(_known[first].Motions))
         {
             return false;
@@ -105,7 +105,7 @@ internal sealed class RunBorders(NcControl control, BlockExecutor executor)
 
         // The first coordinate without a decimal point needs a note, so its stretch is interpreted.
         var last = first;
-        while (last + 1 < behind && _isSame[last + 1]
+        while (last + 1 < end && _isSame[last + 1]
             && (executor.Integers.Count > 0 || _known[last + 1].Integers == _known[first].Integers))
         {
             last++;

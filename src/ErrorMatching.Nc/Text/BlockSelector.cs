@@ -139,10 +139,10 @@ public sealed class BlockSelector
     }
 
     // The blocks in a range that have one of the wanted numbers.
-    private static List<int> Find(NcProgram program, int first, int behind, Dictionary<NcNumber, List<int>> wanted, ulong bits)
+    private static List<int> Find(NcProgram program, int first, int end, Dictionary<NcNumber, List<int>> wanted, ulong bits)
     {
         var found = new List<int>();
-        for (var i = first; i < behind; i++)
+        for (var i = first; i < end; i++)
         {
             if (program.TryNumberValue(i, out var number)
                 && number.Trim() is var trimmed

@@ -82,7 +82,7 @@ public sealed class DisplacementWish
         var distinct = InOrder(blocks) ? blocks : [.. blocks.Distinct()];
         var (first, second) = distinct.Count < TwoThreads.Many
             ? (WishesOf(path, distinct, 0, distinct.Count, left), ([], null))
-            : TwoThreads.Of(0, distinct.Count, (from, behind) => WishesOf(path, distinct, from, behind, left));
+            : TwoThreads.Of(0, distinct.Count, (from, end) => WishesOf(path, distinct, from, end, left));
         if ((first.Refusal ?? second.Refusal) is { } refusal)
         {
             return refusal;
@@ -99,11 +99,11 @@ public sealed class DisplacementWish
 
     // The wishes for some of the blocks; the list has capacity for the blocks after them too.
     private static (List<ElementWish> Elements, Refusal? Refusal) WishesOf(
-        NcPath path, IReadOnlyList<int> blocks, int from, int behind, double left)
+        NcPath path, IReadOnlyList<int> blocks, int from, int end, double left)
     {
         var elements = new List<ElementWish>(blocks.Count - from);
         var recent = 0;
-        for (var i = from; i < behind; i++)
+        for (var i = from; i < end; i++)
         {
             for (var run = 0; path.RunOf(blocks[i], run, ref recent) is >= 0 and var motion; run++)
             {

@@ -88,11 +88,11 @@ internal sealed class WishedRun
 
     private Vector2 At(double along)
     {
-        var (next, behind) = (0, _feet.Count);
-        while (next < behind)
+        var (next, end) = (0, _feet.Count);
+        while (next < end)
         {
-            var middle = (next + behind) / 2;
-            (next, behind) = _feet[middle].Along >= along ? (next, middle) : (middle + 1, behind);
+            var middle = (next + end) / 2;
+            (next, end) = _feet[middle].Along >= along ? (next, middle) : (middle + 1, end);
         }
 
         if (next == _feet.Count)
