@@ -229,3 +229,29 @@ public sealed class NcDialect
 
     private static bool Calls(FunctionRole role) => role is FunctionRole.Call or FunctionRole.LocalCall or FunctionRole.OpaqueCall;
 }
+
+/// <summary>What a control does with a parenthesis inside a comment in parentheses.</summary>
+internal enum NestedComments : byte
+{
+    /// <summary>Not stated: it is taken to read to the last one that fits.</summary>
+    Accepted,
+
+    /// <summary>The control refuses the block.</summary>
+    Refused,
+
+    /// <summary>The first closing parenthesis ends the comment, and a second one is refused.</summary>
+    EndAtFirst,
+}
+
+/// <summary>By what a control names the programs that it has.</summary>
+public enum ProgramNaming : byte
+{
+    /// <summary>By what is at a program's head (<c>O0100</c>), under whatever name its file was sent.</summary>
+    ByHead,
+
+    /// <summary>By the program's file alone.</summary>
+    ByFile,
+
+    /// <summary>By the program's file, and the head has the same name (<c>%_N_P100_MPF</c>, <c>BEGIN PGM P100</c>).</summary>
+    ByBoth,
+}
