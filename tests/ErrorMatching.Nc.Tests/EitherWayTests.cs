@@ -52,6 +52,14 @@ public sealed class EitherWayTests
     [InlineData("fanuc", "IF [#500 EQ 1] GOTO 10\nM21\nG90 G1 X5. F100.\nM30\nN10 G1 X7. F100.\nM30", "unknown-condition")]
     [InlineData("fanuc", "IF [#500 EQ 1] GOTO 10\nG41 D1\nN10 G1 X5. F100.", "unknown-condition")]
     [InlineData("fanuc", "WHILE [#500 EQ 1] DO1\nM8\nEND1\nG1 X5. F100.", "unknown-condition")]
+
+    // The piece is turned on one way only, whether the block is plain or has a comment.
+    [InlineData("fanuc", "IF [#500 EQ 1] GOTO 10\nG0 A90.\nN10 G1 X5. F100.", "unknown-condition")]
+    [InlineData("fanuc", "IF [#500 EQ 1] GOTO 10\nG0 A90. (TURN)\nN10 G1 X5. F100.", "unknown-condition")]
+    [InlineData("fanuc", "IF [#500 EQ 1] GOTO 10\nG0 X0. Y0. Z5. B90.\nN10 G1 X5. F100.", "unknown-condition")]
+    [InlineData("linuxcnc", "o1 if [#<_task> EQ 0]\nG0 A90\no1 endif\nG1 X5 F100", "unknown-condition")]
+    [InlineData("siemens-840d", "IF R5==1 GOTOF WEITER\nG0 A90\nWEITER:\nG1 X5 F100", "unknown-condition")]
+    [InlineData("okuma-osp", "IF [VC1 EQ 1] NLAP\nG0 A90\nNLAP G1 X5 F100", "unknown-condition")]
     [InlineData("fanuc", "IF [#500 EQ 1] GOTO 10\n/G1 X5. F100.\nN10 G1 Y7.", "unknown-condition")]
     [InlineData("fanuc", "/G0 X5.\nG1 Y5. F100.", "block-skip")]
     [InlineData("fanuc", "IF [#500 EQ 1] GOTO 10\nG68 X0. Y0. R30.\nN10 G1 X5. F100.", "unknown-condition")]

@@ -4,8 +4,9 @@ namespace ErrorMatching.Nc;
 /// by.</summary>
 internal sealed class ModeWords(NcControl control)
 {
-    // Lines, arcs, waits, and letters of what does not move. D, H, T and what the dialect does not know can change more.
-    private static readonly uint Letters = BlockWords.LinearAxes | BlockWords.CenterWords
+    /// <summary>Lines, arcs, waits, and letters of what does not move. D, H, T, axes that turn and what the dialect does not know can
+    /// change more.</summary>
+    public static uint Letters { get; } = BlockWords.LinearAxes | BlockWords.CenterWords
         | "RNFSPLOQ".Aggregate(0u, (bits, letter) => bits | BlockWords.Bit(letter));
 
     /// <summary>True if all words of the block are of this kind.</summary>
