@@ -10,7 +10,7 @@ public static class CellCodes
     public const string Superseded = "superseded";
 
     /// <summary>Its job was changed, and its measurement is recalculated.</summary>
-    public const string ComputedAnew = Resubmission.Code;
+    public const string Recalculated = ArrivalWriter.Recalculated;
 
     /// <summary>Corrections must accumulate on a program whose sums are unknown.</summary>
     public const string SumsUnknown = "sums-unknown";

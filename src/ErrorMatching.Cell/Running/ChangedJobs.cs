@@ -52,6 +52,6 @@ public sealed class ChangedJobs(CellSettings settings)
     }
 
     private bool IsChanged(CellStore store, Correction correction, CellJobSettings job) =>
-        _computer.Identify(CorrectionRequests.Again(store, correction, job)) is Identified { Basis.Identity: var identity }
+        _computer.Identify(CorrectionRequests.OfRecalculation(store, correction, job)) is Identified { Basis.Identity: var identity }
             && identity != correction.Identity;
 }

@@ -50,9 +50,9 @@ internal static class CorrectionRequests
             : null;
     }
 
-    /// <summary>The request of a computed correction, to determine whether its measurement would now give a different one.</summary>
+    /// <summary>The request of a recalculation: whether the measurement of a computed correction would now give a different one.</summary>
     /// <exception cref="StoreException">Its inputs are not in the store.</exception>
-    public static CorrectionRequest Again(CellStore store, Correction correction, CellJobSettings job) => new()
+    public static CorrectionRequest OfRecalculation(CellStore store, Correction correction, CellJobSettings job) => new()
     {
         Job = job,
         Piece = correction.Piece!,

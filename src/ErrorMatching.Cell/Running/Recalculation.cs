@@ -2,9 +2,9 @@ using System.Globalization;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Recalculates a correction that was made with a previous version of its job, by a person's decision. Its measurement is
-/// resubmitted in the same place in line, and the old correction ends. The caller must check the person's rights; the running cell computes
-/// and proposes the new correction like any other.</summary>
+/// <summary>Recalculates a correction that was made with a previous version of its job, by a person's decision. Its measurement becomes a
+/// new correction in the same place in line, and the old one ends. The caller must check the person's rights; the running cell computes and
+/// proposes the new correction like any other.</summary>
 /// <param name="settings">The cell's configuration.</param>
 /// <param name="store">The store.</param>
 public sealed class Recalculation(CellSettings settings, CellStore store)
@@ -12,14 +12,14 @@ public sealed class Recalculation(CellSettings settings, CellStore store)
     private readonly CorrectionComputer _computer = new(settings.Policy);
     private readonly CorrectionDecisions _decisions = new(store);
 
-    /// <summary>Resubmits the measurement of a correction. The new correction supersedes the old one, which is never sent.</summary>
+    /// <summary>Recalculates a correction. The new one supersedes the old one, which is never sent.</summary>
     /// <param name="id">Its number.</param>
     /// <param name="by">The user's name.</param>
     /// <param name="reason">Why; null if no reason is given.</param>
     /// <returns>The new correction, which the cell processes next.</returns>
     /// <exception cref="DecisionException">It cannot be recalculated, or the result would be the same.</exception>
     /// <exception cref="StoreException">The store cannot be used, or the measurement is not in it.</exception>
-    public Correction Resubmit(long id, string by, string? reason)
+    public Correction Recalculate(long id, string by, string? reason)
     {
         var correction = _decisions.Demand(id, "computed anew", CorrectionState.Proposed, CorrectionState.Approved, CorrectionState.Failed);
         if (correction.Identity is null)
@@ -34,7 +34,7 @@ public sealed class Recalculation(CellSettings settings, CellStore store)
         DemandOther(correction, JobOf(correction));
         try
         {
-            return store.Resubmit(correction, by, reason);
+            return store.Recalculate(correction, by, reason);
         }
         catch (StoreException e) when (e.Error == StoreError.Conflict)
         {
@@ -42,7 +42,7 @@ public sealed class Recalculation(CellSettings settings, CellStore store)
         }
     }
 
-    // The resubmitted measurement needs its gauge and its job.
+    // The measurement needs its gauge and its job again.
     private CellJobSettings JobOf(Correction correction)
     {
         var job = settings.Jobs.FirstOrDefault(j => j.Name == correction.Job);
@@ -61,7 +61,7 @@ public sealed class Recalculation(CellSettings settings, CellStore store)
 
     private void DemandOther(Correction correction, CellJobSettings job)
     {
-        switch (_computer.Identify(CorrectionRequests.Again(store, correction, job)))
+        switch (_computer.Identify(CorrectionRequests.OfRecalculation(store, correction, job)))
         {
             case Identified { Basis.Identity: var identity } when identity == correction.Identity:
                 throw new DecisionException(

@@ -50,12 +50,14 @@ internal sealed class RecognizeWorker(CellFlow flow)
             Slot = job.Slot,
             Program = slot.Program
         };
-        var again = Resubmitted.Of(flow.Store, known);
+        var before = Before(known);
         var cut = !job.Accumulates || known.Piece is not ("counterpart" or "surface")
             ? new(null, null)
-            : again?.Cut ?? CutProgram.Of(flow.Store, known);
+            : before is { SumsSha256: not null }
+            ? new(CutProgram.Before(flow.Store, before), null)
+            : CutProgram.Of(flow.Store, known);
         var cutBy = cut.By;
-        var part = known.Piece != "counterpart" ? null : again?.Part ?? LastCut(known, job) ?? LastPart(known, job);
+        var part = known.Piece != "counterpart" ? null : PartOf(before) ?? LastCut(known, job) ?? LastPart(known, job);
         known = known with { BaseSha256 = cutBy?.ProgramSha256, SumsSha256 = cutBy?.SumsSha256, PartSha256 = part?.MeasurementSha256 };
         if (Earlier(known, job) is { } earlier)
         {
@@ -120,6 +122,16 @@ internal sealed class RecognizeWorker(CellFlow flow)
             Refuse(archived, known, CellCodes.AlreadyKnown, AlreadyKnown(flow.Store.Find(e.Existing)!));
         }
     }
+
+    // A recalculated measurement is of the same piece as before: it is compared with the same part and was cut by the same program,
+    // whatever has been measured since. Null if it arrived from its gauge, or is now recognized as another piece.
+    private Correction? Before(Correction known) =>
+        known.MeasuredAs is { } id && flow.Store.Find(id) is { } first && first.Job == known.Job && first.Piece == known.Piece
+            ? first
+            : null;
+
+    private Correction? PartOf(Correction? counterpart) =>
+        counterpart?.PartSha256 is { } part ? flow.Store.OfMeasurement(part).LastOrDefault(c => c.Piece == "part") : null;
 
     // If corrections accumulate, each has another base program and so another identity. The same file is still the same measurement, and
     // must not be added twice.

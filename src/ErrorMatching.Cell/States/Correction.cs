@@ -22,11 +22,11 @@ public sealed record Correction(
     string MeasurementSha256,
     long MeasurementBytes)
 {
-    /// <summary>Number of the correction that its measurement arrived with, if the measurement was resubmitted for recalculation; null if
-    /// it arrived with this one. A resubmitted measurement has the same job, piece and slot from the start.</summary>
+    /// <summary>Number of the correction that its measurement arrived with, if it is recalculated; null if it arrived with this
+    /// one. A recalculated measurement has the same job, piece and slot from the start.</summary>
     public long? MeasuredAs { get; init; }
 
-    /// <summary>Decides which of two measurements came first, and the order in line. A resubmitted measurement keeps its place.</summary>
+    /// <summary>Decides which of two measurements came first, and the order in line. A recalculated measurement keeps its place.</summary>
     public long Turn => MeasuredAs ?? Id;
 
     /// <summary>When the last step was taken.</summary>

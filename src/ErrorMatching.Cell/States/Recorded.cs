@@ -40,11 +40,14 @@ public static class Recorded
     internal static readonly SentenceForm NewerMeasurement = new("newer-measurement", "correction {0:0} is a newer measurement of {1}");
     internal static readonly SentenceForm NewerOfSamePiece = new(
         "newer-of-same-piece", "Correction {0:0} ({1}) is a newer measurement of the same piece.");
-    internal static readonly SentenceForm GivenAgain = new(
+
+    // A recalculation: the new correction and the one that it ends. The names are stored, so that they stay as they were.
+    internal static readonly SentenceForm RecalculationOf = new(
         "given-again", "given again in the place of correction {0:0}, to be computed with the job as it is now");
-    internal static readonly SentenceForm ComputedAnew = new(
+    internal static readonly SentenceForm RecalculatedBy = new(
         "computed-anew",
         "Its job was changed after it was made: correction {0:0} computes the measurement anew, with the job as it is now.");
+
     internal static readonly SentenceForm FirstArticle = new(
         "first-article", "A counterpart is measured: this verifies what was sent, and sends nothing.");
     internal static readonly SentenceForm VerifiedWithin = new(
@@ -395,7 +398,8 @@ public static class Recorded
     [
         Arrived, OfCutAndPart, OfCut, OfPart, Of, DisplacedAt, DisplacedNothing, DisplacedInSum, Displaced, Computed, AtPointOf,
         AtPointAndBeside,
-        AtPoint, AtBlock, PolicyWithin, Policy, NewerMeasurement, NewerOfSamePiece, GivenAgain, ComputedAnew, FirstArticle, NotToCut,
+        AtPoint, AtBlock, PolicyWithin, Policy, NewerMeasurement, NewerOfSamePiece, RecalculationOf, RecalculatedBy, FirstArticle,
+        NotToCut,
         VerifiedWithin, VerifiedOutside, NotCompared,
         NotComparable, PartRecorded, Approved,
         PieceCut, SlotUsable, LookedAtBase, TriedToRead, SlotEmpty, SlotHeld, CellStopped, HeldAfterCut, ReadBack, GivenBack, MachineWrote,

@@ -18,12 +18,12 @@ internal static class ArrivalKey
     /// <summary>The key of a log at a machine. It has no reliable time, so only its content distinguishes it.</summary>
     public static string Of(string gauge, string name, string sha256) => Hash(gauge, name, sha256);
 
-    /// <summary>The key of a stored measurement that is resubmitted to replace a correction. Each correction can be replaced
-    /// once.</summary>
+    /// <summary>The key of a stored measurement that is recalculated: a correction is replaced once, so that its number tells the arrivals
+    /// apart.</summary>
     /// <param name="gauge">The gauge.</param>
     /// <param name="name">The file's name.</param>
     /// <param name="correction">Number of the correction that it replaces.</param>
-    public static string OfAgain(string gauge, string name, long correction) =>
+    public static string OfRecalculation(string gauge, string name, long correction) =>
         Hash(gauge, name, "again", correction.ToString(CultureInfo.InvariantCulture));
 
     // No part contains a zero, so no two lists of parts give the same text.

@@ -5,6 +5,10 @@ namespace ErrorMatching.Cell;
 /// <summary>Stores what arrives as new corrections.</summary>
 internal static class ArrivalWriter
 {
+    /// <summary>The code of a correction that ends because it is recalculated. It is stored and documented, so that it stays as it
+    /// was.</summary>
+    public const string Recalculated = "computed-anew";
+
     /// <summary>Stores a file as a new correction.</summary>
     /// <returns>The correction, and whether it is new.</returns>
     public static (Correction Correction, bool IsNew) Archive(
@@ -76,6 +80,60 @@ internal static class ArrivalWriter
             "UPDATE correction SET row_code = @code WHERE id = @id", [("code", code), ("id", id)]);
         StepWriter.Note(transaction, arrived, null, by, basis ?? arrived.Reason ?? Recorded.Arrived.With(arrived.Gauge, arrived.FileName));
         return arrived;
+    }
+
+    /// <summary>Recalculates a correction that is not at its machine: its measurement is stored once more as a new correction, in the same
+    /// place in line, and the old one ends.</summary>
+    /// <returns>The new correction, which is archived.</returns>
+    /// <exception cref="StoreException">With <see cref="StoreError.Conflict"/> if someone else changed the old one first, or no step leads
+    /// to its end.</exception>
+    public static Correction Recalculate(StoreTransaction transaction, Correction correction, string by, string? reason)
+    {
+        // Before anything is written, so that the later of two callers sees the result of the first.
+        if (!CorrectionSteps.Allows(correction.State, CorrectionState.Superseded)
+            || transaction.Value<long>("SELECT version FROM correction WHERE id = @Id", [("Id", correction.Id)]) != correction.Version)
+        {
+            throw StepWriter.Conflict(transaction, correction, CorrectionState.Superseded);
+        }
+
+        var given = ArrivalWriter.Arrive(
+            transaction,
+            ArrivalWriter.New(
+                transaction,
+                CorrectionState.Archived,
+                correction.Gauge,
+                correction.FileName,
+                correction.MeasurementSha256,
+                correction.MeasurementBytes) with
+            {
+                MeasuredAs = correction.Turn,
+                Job = correction.Job,
+                Piece = correction.Piece,
+                Serial = correction.Serial,
+                WorkOrder = correction.WorkOrder,
+                Machine = correction.Machine,
+                Slot = correction.Slot,
+                Program = correction.Program,
+                Trace = correction.Trace,
+            },
+            ArrivalKey.OfRecalculation(correction.Gauge, correction.FileName, correction.Id),
+            by,
+            Recorded.RecalculationOf.With(correction.Id));
+        var basis = Recorded.RecalculatedBy.With(given.Id);
+
+        // This frees its identity: if the job reverts to an earlier version, the measurement may be computed with it again.
+        var ended = CorrectionRow.Stored(correction with
+        {
+            State = CorrectionState.Superseded,
+            Version = correction.Version + 1,
+            ChangedAt = transaction.Now,
+            Identity = null,
+            Code = Recalculated,
+            Reason = basis,
+        });
+        StepWriter.Update(transaction, correction, ended);
+        StepWriter.Note(transaction, ended, correction.State, by, Statement.InARow(basis, reason ?? ""));
+        return given;
     }
 
     private static Correction? Known(StoreTransaction transaction, string key) =>

@@ -106,8 +106,8 @@ public sealed class CellStore : IDisposable
     public IReadOnlyList<CorrectionStep> StepsOf(long id) => _corrections.StepsOf(id);
 
     /// <summary>The corrections in line for a slot, in order of arrival: from recognized to approved, and those that failed there. A
-    /// correction that failed without a program has nothing to send and is excluded. A resubmitted measurement keeps its earlier place from
-    /// the moment it is resubmitted.</summary>
+    /// correction that failed without a program has nothing to send and is excluded. A correction that is recalculated keeps its
+    /// place.</summary>
     /// <param name="machine">The machine.</param>
     /// <param name="slot">Its slot.</param>
     public IReadOnlyList<Correction> Line(string machine, string slot) => _corrections.Line(machine, slot);
@@ -219,18 +219,18 @@ public sealed class CellStore : IDisposable
         });
     }
 
-    /// <summary>Resubmits the measurement of a correction that is not at its machine, in the same place in line, and ends that correction.
-    /// Both changes and their audit entries are one transaction.</summary>
+    /// <summary>Recalculates a correction that is not at its machine: its measurement becomes a new correction in the same place in line,
+    /// and the old one ends. Both changes and their audit entries are one transaction.</summary>
     /// <param name="correction">The correction as it was read.</param>
     /// <param name="by">The user's name.</param>
     /// <param name="reason">Why, in a person's words; null if none are given.</param>
     /// <returns>The new correction, which is archived.</returns>
     /// <exception cref="StoreException">With <see cref="StoreError.Conflict"/> if someone else changed it first, or no step leads to its
     /// end.</exception>
-    public Correction Resubmit(Correction correction, string by, string? reason)
+    public Correction Recalculate(Correction correction, string by, string? reason)
     {
         ArgumentNullException.ThrowIfNull(correction);
-        return Write(transaction => Resubmission.Give(transaction, correction, by, reason));
+        return Write(transaction => ArrivalWriter.Recalculate(transaction, correction, by, reason));
     }
 
     /// <summary>Ensures that a correction may go to its machine. According to the audit trail, the row must be genuine, someone with the

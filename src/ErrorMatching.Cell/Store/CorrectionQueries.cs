@@ -40,8 +40,8 @@ internal sealed class CorrectionQueries(CellDatabase database)
     /// <inheritdoc cref="CellStore.FirstInLine"/>
     public Correction? FirstInLine(string machine, string slot)
     {
-        // The least number of each state is the first of an index, and so is the least place of those that were given again. The one of
-        // both that comes first is the first in line: who was given again comes before its own number.
+        // The least number of each state is the first of an index, and so is the least place of those that are recalculated. The one
+        // of both that comes first is the first in line: a recalculated one comes before its own number.
         string[] inLine = [.. InLine.Select(s => $"state = '{CorrectionRow.Word(s)}'"),
             $"state = '{CorrectionRow.Word(CorrectionState.Failed)}' AND program_sha256 IS NOT NULL"];
         const string Here = "machine = @machine AND slot = @slot AND ";

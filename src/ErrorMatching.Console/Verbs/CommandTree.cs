@@ -89,7 +89,7 @@ internal static class CommandTree
         "surface" => new SurfaceVerb(),
         "cell" => new Command(word, "Runs beside gauges and machines.")
         {
-            new CellCheckVerb(), new CellRun(), new CellStatusVerb(), new CellApprove(), new CellReject(), new CellAgain(),
+            new CellCheckVerb(), new CellRun(), new CellStatusVerb(), new CellApprove(), new CellReject(), new CellRecalculate(),
             new CellRelease(), new CellRevert(), new CellHistory(), new CellShow(), new CellBackup(), new CellRestore(), new CellThin(),
             new CellSecret(),
         },

@@ -44,13 +44,13 @@ internal sealed class EarlierCorrections(Station station, Func<SignedIn?> who)
             Waiting, who()!, new List<Correction>(), new List<(Correction Correction, Exception Failure)>());
         await Task.Run(() =>
         {
-            var anew = new Recalculation(station.Settings, station.Store);
+            var recalculation = new Recalculation(station.Settings, station.Store);
             foreach (var correction in waiting)
             {
                 try
                 {
                     station.Users.Demand(by, Act.Reject);
-                    given.Add(anew.Resubmit(correction.Id, by.Name, null));
+                    given.Add(recalculation.Recalculate(correction.Id, by.Name, null));
                 }
                 catch (Exception e) when (Failures.IsKnown(e))
                 {
@@ -65,9 +65,9 @@ internal sealed class EarlierCorrections(Station station, Func<SignedIn?> who)
         Waiting = [.. failed.Where(f => f.Failure is not DecisionException).Select(f => f.Correction)];
         return () => Sentence.Joined(
         [
-            waiting.Count > failed.Count ? Texts.Current.With("Setup.ComputedAnew", waiting.Count - failed.Count) : "",
+            waiting.Count > failed.Count ? Texts.Current.With("Setup.Recalculated", waiting.Count - failed.Count) : "",
             .. failed.Select(f => Texts.Current.With(
-                "Setup.NotComputedAnew", CorrectionLabel.Of(f.Correction), Failures.Of(f.Failure, station.Clock))),
+                "Setup.NotRecalculated", CorrectionLabel.Of(f.Correction), Failures.Of(f.Failure, station.Clock))),
         ]);
     }
 }

@@ -132,7 +132,7 @@ public sealed class AccumulatingTests
         var second = await surface.Until(3, CorrectionState.Verified);
         Assert.Equal(2, Pieces(second));
         Assert.NotNull(second.SumsSha256);
-        Assert.Equal(first.ReportSha256, CorrectionRequests.Again(surface.Store, second, surface.Job).Previous!.Sha256);
+        Assert.Equal(first.ReportSha256, CorrectionRequests.OfRecalculation(surface.Store, second, surface.Job).Previous!.Sha256);
 
         // The same measurement again would count twice.
         new CorrectionDecisions(surface.Store).Release(3, "olga", null);

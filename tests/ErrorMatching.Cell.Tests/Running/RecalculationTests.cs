@@ -1,7 +1,7 @@
 namespace ErrorMatching.Cell.Tests;
 
 /// <summary>A job is changed while corrections wait that were made with it as it was:
-/// they are computed anew from the measurements that are kept.</summary>
+/// they are recalculated from the measurements that are kept.</summary>
 public sealed class RecalculationTests
 {
     private const string ByPerson = """{ "approve": "person" }""";
@@ -15,7 +15,7 @@ public sealed class RecalculationTests
         var old = await cell.Until(1, CorrectionState.Proposed);
         Change(cell.PathOf("job/theoretical.csv"));
         var before = cell.Store.ChangeCount();
-        var given = Anew(cell).Resubmit(1, "olga", "nose was wrong");
+        var given = Of(cell).Recalculate(1, "olga", "nose was wrong");
         Assert.Equal(
             (2L, CorrectionState.Archived, 1L, "cmm", "a_S1.csv", old.MeasurementSha256),
             (given.Id, given.State, given.MeasuredAs, given.Gauge, given.FileName, given.MeasurementSha256));
@@ -63,7 +63,7 @@ public sealed class RecalculationTests
 
         await cell.StopAsync();
         Change(cell.PathOf("job/theoretical.csv"));
-        Anew(cell).Resubmit(2, "olga", null);
+        Of(cell).Recalculate(2, "olga", null);
         new CorrectionDecisions(cell.Store).Release(1, "olga", null);
 
         // Before anybody has looked at it, it holds its place already.
@@ -86,7 +86,7 @@ public sealed class RecalculationTests
         cell.Drop("a_S1.csv", 1);
         await cell.Until(1, CorrectionState.Failed);
         Change(cell.PathOf("job/theoretical.csv"));
-        Anew(cell).Resubmit(1, "olga", null);
+        Of(cell).Recalculate(1, "olga", null);
 
         // What somebody changed at the machine is looked at by a person all the same.
         Assert.Equal("changed-at-machine", (await cell.Until(2, CorrectionState.Failed)).Code);
@@ -105,7 +105,7 @@ public sealed class RecalculationTests
         await cell.StopAsync();
         Change(cell.PathOf("job/theoretical.csv"));
         cell.Store.Archive(new("cmm", "a_S1_again.csv", "newer", System.Text.Encoding.UTF8.GetBytes(RunningCell.Measurement(2))));
-        Assert.Equal(3, Anew(cell).Resubmit(old.Id, "olga", null).Id);
+        Assert.Equal(3, Of(cell).Recalculate(old.Id, "olga", null).Id);
         cell.Start();
         await cell.Until(2, CorrectionState.Proposed);
         Assert.Equal("superseded", (await cell.Until(3, CorrectionState.Superseded)).Code);
@@ -125,7 +125,7 @@ public sealed class RecalculationTests
         cell.Drop("part_next.csv", PairedCell.Part + "\n");
         await cell.Until(3, CorrectionState.Recorded);
         Change(cell.PathOf("job/theoretical.csv"));
-        Assert.Equal(4, new Recalculation(cell.Settings, cell.Store).Resubmit(2, "olga", null).Id);
+        Assert.Equal(4, new Recalculation(cell.Settings, cell.Store).Recalculate(2, "olga", null).Id);
         Assert.Equal(part.MeasurementSha256, (await cell.Until(4, CorrectionState.Proposed)).PartSha256);
         Assert.Equal(CorrectionState.Superseded, cell.Store.Find(2)!.State);
 
@@ -134,14 +134,14 @@ public sealed class RecalculationTests
         Assert.Equal(
             (5L, 2L),
             (
-                new Recalculation(cell.Settings, cell.Store).Resubmit(4, "olga", null) is var twice
+                new Recalculation(cell.Settings, cell.Store).Recalculate(4, "olga", null) is var twice
                     ? (twice.Id, twice.MeasuredAs!.Value)
                     : default));
         Assert.Equal(part.MeasurementSha256, (await cell.Until(5, CorrectionState.Proposed)).PartSha256);
 
         // And back to what it was in the beginning.
         Change(cell.PathOf("job/theoretical.csv"), "-31.952", "-31.950");
-        new Recalculation(cell.Settings, cell.Store).Resubmit(5, "olga", null);
+        new Recalculation(cell.Settings, cell.Store).Recalculate(5, "olga", null);
         Assert.Equal(cell.Store.Find(2)!.ProgramSha256, (await cell.Until(6, CorrectionState.Proposed)).ProgramSha256);
     }
 
@@ -169,7 +169,7 @@ public sealed class RecalculationTests
         decisions.Approve(3, "sam", null);
         await cell.Until(3, CorrectionState.Verified);
         Change(cell.PathOf("job/theoretical.csv"));
-        Assert.Equal(5, new Recalculation(cell.Settings, cell.Store).Resubmit(4, "olga", null).Id);
+        Assert.Equal(5, new Recalculation(cell.Settings, cell.Store).Recalculate(4, "olga", null).Id);
         var anew = await cell.Until(5, CorrectionState.Proposed);
         Assert.Equal((cut.ProgramSha256, cut.PartSha256), (anew.BaseSha256, anew.PartSha256));
 
@@ -194,7 +194,7 @@ public sealed class RecalculationTests
         var original = RunningCell.Hash(
             await File.ReadAllBytesAsync(cell.PathOf("job/counterpart.nc"), TestContext.Current.CancellationToken));
         Assert.Equal([2L], new ChangedJobs(cell.Settings).Among(cell.Store, [cell.Store.Find(2)!]));
-        new Recalculation(cell.Settings, cell.Store).Resubmit(2, "olga", null);
+        new Recalculation(cell.Settings, cell.Store).Recalculate(2, "olga", null);
         Assert.Equal(original, (await cell.Until(3, CorrectionState.Proposed)).BaseSha256);
     }
 
@@ -231,7 +231,7 @@ public sealed class RecalculationTests
         var settings = cell.Settings;
         foreach (var other in new[] { settings with { Jobs = [] }, settings with { Gauges = [] } })
         {
-            var refusal = Assert.Throws<DecisionException>(() => new Recalculation(other, cell.Store).Resubmit(2, "olga", null));
+            var refusal = Assert.Throws<DecisionException>(() => new Recalculation(other, cell.Store).Recalculate(2, "olga", null));
             Assert.Equal(DecisionException.JobUnusable, refusal.Code);
             Assert.Contains(
                 "does not have the " + (other.Jobs.Count == 0 ? "job \"a\"" : "gauge \"cmm\""), refusal.Message, StringComparison.Ordinal);
@@ -274,7 +274,7 @@ public sealed class RecalculationTests
                 start.SignalAndWait();
                 try
                 {
-                    return new Recalculation(settings, store).Resubmit(1, $"olga {i}", null).Id.ToString(
+                    return new Recalculation(settings, store).Recalculate(1, $"olga {i}", null).Id.ToString(
                         System.Globalization.CultureInfo.InvariantCulture);
                 }
                 catch (DecisionException e)
@@ -291,14 +291,14 @@ public sealed class RecalculationTests
         Assert.Null(cell.Store.Find(3));
 
         // Whoever looked before and comes afterwards.
-        Assert.Equal(StoreError.Conflict, Assert.Throws<StoreException>(() => cell.Store.Resubmit(old, "sam", null)).Error);
+        Assert.Equal(StoreError.Conflict, Assert.Throws<StoreException>(() => cell.Store.Recalculate(old, "sam", null)).Error);
         Assert.Null(cell.Store.Find(3));
     }
 
-    private static Recalculation Anew(RunningCell cell) => new(cell.Settings, cell.Store);
+    private static Recalculation Of(RunningCell cell) => new(cell.Settings, cell.Store);
 
     private static DecisionException Refusal(RunningCell cell, long id) =>
-        Assert.Throws<DecisionException>(() => Anew(cell).Resubmit(id, "olga", null));
+        Assert.Throws<DecisionException>(() => Of(cell).Recalculate(id, "olga", null));
 
     // What a cell computes that never knew the job as it was.
     private static async Task<string> ProgramOfChangedJob(int measurement)

@@ -34,10 +34,10 @@ public abstract class StoreLineTests(StoreKind kind) : StoreTest(kind)
         var ids = Enumerable.Range(1, 5).Select(i => Approve(store, $"file {i}", $"H{i}").Id).ToArray();
         Assert.Equal(FirstInLine()!.Id, store.Line("mill", "1")[0].Id);
 
-        // The third, then the first is given again: each keeps its place.
-        store.Resubmit(store.Find(ids[2])!, "anna", null);
+        // The third, then the first is recalculated: each keeps its place.
+        store.Recalculate(store.Find(ids[2])!, "anna", null);
         FirstInLine();
-        var again = store.Resubmit(store.Line("mill", "1")[0], "anna", null);
+        var again = store.Recalculate(store.Line("mill", "1")[0], "anna", null);
         Assert.Equal(again.Id, FirstInLine()!.Id);
         var failed = store.Step(Recognize(store, again, "A-9"), CorrectionState.Failed, "cell", "no file");
         Assert.NotEqual(failed.Id, FirstInLine()!.Id);

@@ -244,7 +244,7 @@ internal sealed class CompensationViewModel : ScreenViewModel, ILooksAt
             () =>
             {
                 Station.Users.Demand(by, Act.Reject);
-                given = new Recalculation(Station.Settings, Station.Store).Resubmit(id, by.Name, null);
+                given = new Recalculation(Station.Settings, Station.Store).Recalculate(id, by.Name, null);
             },
             Station.Clock);
         if (_choice.Current != id)

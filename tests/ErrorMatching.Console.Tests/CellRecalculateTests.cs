@@ -3,8 +3,8 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.Console.Tests;
 
-/// <summary>A job is changed while a correction waits: an operator lets it be computed anew.</summary>
-public sealed class CellAgainTests
+/// <summary>A job is changed while a correction waits: an operator recalculates it.</summary>
+public sealed class CellRecalculateTests
 {
     [Fact]
     public async Task What_waits_is_computed_with_the_job_as_it_is_now_once_the_job_was_changed()

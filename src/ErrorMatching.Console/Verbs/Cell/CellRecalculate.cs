@@ -3,8 +3,8 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Console;
 
-/// <summary><c>errormatch cell again</c>.</summary>
-internal sealed class CellAgain() : CellDecisionVerb(
+/// <summary><c>errormatch cell again</c>: people and scripts know the verb by this name, so that it stays.</summary>
+internal sealed class CellRecalculate() : CellDecisionVerb(
     "again",
     "Computes a correction anew that was made before its job was changed: from the measurement that is kept, in the same place in line. "
         + "An operator signs.",
@@ -17,7 +17,7 @@ internal sealed class CellAgain() : CellDecisionVerb(
         CellSettings settings, CellStore store, long id, string by, string? reason, CancellationToken cancellation) =>
         new CellDecisionAnswer(
             "again",
-            new Recalculation(settings, store).Resubmit(id, by, reason),
+            new Recalculation(settings, store).Recalculate(id, by, reason),
             string.Create(
                 CultureInfo.InvariantCulture,
                 $"is computed in the place of correction {id}, which is superseded, with the job as it is now"));
