@@ -198,9 +198,9 @@ public sealed class AuditVerbTests
     public void Each_code_about_people_store_and_trail_is_in_the_reference()
     {
         var reference = File.ReadAllText(ErrorMatching.Testing.Repository.PathTo("docs", "reference-console.md"));
-        var codes = Enum.GetValues<PeopleError>().Select(FailureOfCell.CodeOf)
-            .Concat(Enum.GetValues<StoreError>().Select(FailureOfCell.CodeOf))
-            .Concat(Enum.GetValues<AuditFaultKind>().Select(FailureOfCell.CodeOf));
+        var codes = Enum.GetValues<PeopleError>().Select(CellCodes.Of)
+            .Concat(Enum.GetValues<StoreError>().Select(CellCodes.Of))
+            .Concat(Enum.GetValues<AuditFaultKind>().Select(CellCodes.Of));
         Assert.All(
             codes.Concat(["no-password", "unknown-machine"]), c => Assert.Contains($"| `{c}` |", reference, StringComparison.Ordinal));
     }

@@ -202,7 +202,6 @@ public sealed class CellVerbTests
                 .ToArray();
         Assert.True(codes.Length > 35);
         Assert.All(codes, c => Assert.Contains($"| `{c}` |", reference, StringComparison.Ordinal));
-        Assert.All(Enum.GetValues<StoreError>(), e => Assert.Equal(CellCodes.Of(e), FailureOfCell.CodeOf(e)));
     }
 
     private static void Drop(CellFolder cell, string name, string text)

@@ -1,6 +1,7 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>Stable codes for why a running cell refuses a file, or cannot work.</summary>
+/// <summary>Stable codes for why a running cell refuses a file, or cannot work, and for errors of its store, its users and its audit
+/// trail.</summary>
 public static class CellCodes
 {
     /// <summary>The same measurement, job and original program have already been used.</summary>
@@ -83,6 +84,18 @@ public static class CellCodes
 
     /// <summary>The code for a broker that does not take messages.</summary>
     public static string Of(BrokerError error) => "broker-" + Words(error.ToString());
+
+    /// <summary>The code for an error about users or secrets.</summary>
+    public static string Of(PeopleError error) =>
+        error == PeopleError.Tampered ? "user-tampered" : Words(error.ToString());
+
+    /// <summary>The code for a fault of the audit trail.</summary>
+    public static string Of(AuditFaultKind kind) => kind switch
+    {
+        AuditFaultKind.KeysMissing => Of(PeopleError.KeysMissing),
+        AuditFaultKind.WitnessMissing => "audit-seen-missing",
+        _ => "audit-" + Words(kind.ToString()),
+    };
 
     // ReadOnly becomes read-only.
     private static string Words(string name) =>

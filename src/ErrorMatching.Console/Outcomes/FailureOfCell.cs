@@ -7,10 +7,10 @@ namespace ErrorMatching.Console;
 internal static class FailureOfCell
 {
     /// <summary>An act that a person may not do, or a failed operation on users or secrets.</summary>
-    public static Failure People(PeopleException e) => new(ExitOf(e.Error), new Refusal(CodeOf(e.Error), e.Message));
+    public static Failure People(PeopleException e) => new(ExitOf(e.Error), new Refusal(CellCodes.Of(e.Error), e.Message));
 
     /// <summary>A failed store call.</summary>
-    public static Failure Store(StoreException e) => new(ExitOf(e.Error), new Refusal(CodeOf(e.Error), e.Message));
+    public static Failure Store(StoreException e) => new(ExitOf(e.Error), new Refusal(CellCodes.Of(e.Error), e.Message));
 
     /// <summary>A decision that cannot be carried out. An unknown number is wrong input; everything else is a refusal.</summary>
     public static Failure Decision(DecisionException e) =>
@@ -29,69 +29,7 @@ internal static class FailureOfCell
         new() { File = settings.File, Path = "$.machines" }));
 
     /// <summary>An audit trail that differs from what was written.</summary>
-    public static Failure Audit(AuditFault fault) => new(ExitCode.Refused, new Refusal(CodeOf(fault.Kind), fault.Message));
-
-    /// <summary>The code of an error about users or secrets.</summary>
-    public static string CodeOf(PeopleError error) => error switch
-    {
-        PeopleError.NoUsers => "no-users",
-        PeopleError.SignInRefused => "sign-in-refused",
-        PeopleError.LockedOut => "locked-out",
-        PeopleError.UserDisabled => "user-disabled",
-        PeopleError.UnknownRole => "unknown-role",
-        PeopleError.Tampered => "user-tampered",
-        PeopleError.NotAllowed => "not-allowed",
-        PeopleError.NotSigned => "not-signed",
-        PeopleError.BadUserName => "bad-user-name",
-        PeopleError.WeakPassword => "weak-password",
-        PeopleError.UserExists => "user-exists",
-        PeopleError.UnknownUser => "unknown-user",
-        PeopleError.LastAdministrator => "last-administrator",
-        PeopleError.BadSecret => "bad-secret",
-        PeopleError.SecretUnreadable => "secret-unreadable",
-        PeopleError.KeysUnusable => "keys-unusable",
-        PeopleError.KeysMissing => "keys-missing",
-        _ => throw new ArgumentOutOfRangeException(nameof(error), error, "An error about people without a code."),
-    };
-
-    /// <summary>The code of a store error.</summary>
-    public static string CodeOf(StoreError error) => error switch
-    {
-        StoreError.Conflict => "store-conflict",
-        StoreError.Missing => "store-missing",
-        StoreError.Damaged => "store-damaged",
-        StoreError.Tampered => "store-tampered",
-        StoreError.Foreign => "store-foreign",
-        StoreError.TooNew => "store-too-new",
-        StoreError.Locked => "store-locked",
-        StoreError.Full => "store-full",
-        StoreError.ReadOnly => "store-read-only",
-        StoreError.Denied => "store-denied",
-        StoreError.Disk => "store-disk",
-        StoreError.Replaced => "store-replaced",
-        StoreError.Redrawn => "store-redrawn",
-        StoreError.Archived => "store-archived",
-        StoreError.Away => "store-away",
-        StoreError.NotSupported => "store-not-supported",
-        StoreError.Unknown => "store-unknown",
-        _ => throw new ArgumentOutOfRangeException(nameof(error), error, "An error of the store without a code."),
-    };
-
-    /// <summary>The code of an audit trail's fault.</summary>
-    public static string CodeOf(AuditFaultKind error) => error switch
-    {
-        AuditFaultKind.Changed => "audit-changed",
-        AuditFaultKind.Removed => "audit-removed",
-        AuditFaultKind.Inserted => "audit-inserted",
-        AuditFaultKind.Reordered => "audit-reordered",
-        AuditFaultKind.NotAllowed => "audit-not-allowed",
-        AuditFaultKind.RowDiffers => "audit-row-differs",
-        AuditFaultKind.FormDiffers => "audit-form-differs",
-        AuditFaultKind.Unsealed => "audit-unsealed",
-        AuditFaultKind.KeysMissing => "keys-missing",
-        AuditFaultKind.WitnessMissing => "audit-seen-missing",
-        _ => throw new ArgumentOutOfRangeException(nameof(error), error, "A broken audit trail without a code."),
-    };
+    public static Failure Audit(AuditFault fault) => new(ExitCode.Refused, new Refusal(CellCodes.Of(fault.Kind), fault.Message));
 
     // Wrong input can be corrected by typing again; a refusal remains until someone changes the cause.
     private static ExitCode ExitOf(PeopleError error) => error switch

@@ -35,7 +35,7 @@ internal sealed class UserAnswer(string schema, User user, string sentence) : Do
         if (user.Problem is var (error, message))
         {
             json.WriteStartObject();
-            json.WriteString("code", FailureOfCell.CodeOf(error));
+            json.WriteString("code", CellCodes.Of(error));
             json.WriteString("message", message);
             json.WriteEndObject();
         }

@@ -12,7 +12,7 @@ internal sealed class UserListAnswer(IReadOnlyList<User> users) : DocumentAnswer
 
     public override Failure? Failure => users.Any(u => u.Problem is not null)
         ? new(ExitCode.Refused, [.. users.Select(u => u.Problem).OfType<(PeopleError Error, string Message)>()
-            .Select(p => new Refusal(FailureOfCell.CodeOf(p.Error), p.Message))])
+            .Select(p => new Refusal(CellCodes.Of(p.Error), p.Message))])
         : null;
 
     public override void WriteJson(Utf8JsonWriter json)
