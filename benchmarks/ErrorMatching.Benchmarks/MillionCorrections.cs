@@ -40,8 +40,8 @@ internal static class MillionCorrections
             Console.WriteLine($"  {found} found");
         }
 
-        Timed("counts by state", () => store.Counts());
-        Timed("last sent of a job", () => store.LastSent("job-3", null));
+        Timed("counts by state", () => store.Corrections.Counts());
+        Timed("last sent of a job", () => store.Corrections.LastSent("job-3", null));
         AuditFinding? finding = null;
         Timed("audit verify", () => finding = new AuditTrail(store, keys).Verify());
         Console.WriteLine($"  {finding!.Message} Contents: {finding.Contents}, {finding.ContentBytes >> 20} MB.");
@@ -53,14 +53,14 @@ internal static class MillionCorrections
     private static void FirstProgram(SqliteSettings settings, byte[]? key, Correction correction)
     {
         using var store = CellStore.Open(settings, TimeProvider.System, key, inspect: false);
-        Timed("first program after a start", () => store.DemandRecorded(correction));
-        Console.WriteLine($"  {store.WhyWholeTrail?.Sentence ?? "From the checkpoint."} Largest working set: "
+        Timed("first program after a start", () => store.Outside.DemandRecorded(correction));
+        Console.WriteLine($"  {store.Outside.WhyWhole?.Sentence ?? "From the checkpoint."} Largest working set: "
             + $"{Process.GetCurrentProcess().PeakWorkingSet64 >> 20} MB, held: {GC.GetTotalMemory(forceFullCollection: true) >> 20} MB");
-        Timed("checkpoint", () => store.KeepCheckpoint(CancellationToken.None));
+        Timed("checkpoint", () => store.Outside.KeepCheckpoint(CancellationToken.None));
         Console.WriteLine($"  {store.Read("SELECT length(state) FROM audit_checkpoint", r => r.GetInt64(0))[0]} characters");
-        if (store.WhyWholeTrail is not null) return;
+        if (store.Outside.WhyWhole is not null) return;
         const int Behind = 20_000;
-        Timed($"look at {Behind} entries before the checkpoint", () => store.LookBehindCheckpoint(Behind));
+        Timed($"look at {Behind} entries before the checkpoint", () => store.Outside.LookBehind(Behind));
     }
 
     private static IEnumerable<(string Name, HistoryQuery Query)> Queries(int count)

@@ -99,7 +99,7 @@ public sealed class ChangedJobTests
             return Wait(() => clock.Waits > enough);
         }
 
-        Correction[] Parts() => [.. store.InState(CorrectionState.Proposed).Where(c => c.Piece == "part")];
+        Correction[] Parts() => [.. store.Corrections.InState(CorrectionState.Proposed).Where(c => c.Piece == "part")];
 
         static async Task Wait(Func<bool> condition)
         {

@@ -158,7 +158,7 @@ public sealed class CompensationTests
         var sent = seat.WaitFor(1, CorrectionState.Verified);
         Assert.Equal(
             seat.Station.Store.Content(sent.ProgramSha256!), File.ReadAllBytes(Path.Combine(seat.Cell.MachineFolder, "counterpart.nc")));
-        Assert.Contains(seat.Station.Store.StepsOf(1), s => s is { To: CorrectionState.Approved, By: DemoCell.Setter });
+        Assert.Contains(seat.Station.Store.Corrections.StepsOf(1), s => s is { To: CorrectionState.Approved, By: DemoCell.Setter });
         seat.WaitFor(() => seat.TextOf("detail-state") == "At the machine", "The screen does not follow.");
         Assert.NotNull(seat.Find("release"));
         Assert.Null(seat.Find("approve"));
@@ -185,7 +185,7 @@ public sealed class CompensationTests
         var rejected = seat.WaitFor(1, CorrectionState.Rejected);
         Assert.Equal("chip under the probe", rejected.Reason);
         Assert.Contains(
-            seat.Station.Store.StepsOf(1),
+            seat.Station.Store.Corrections.StepsOf(1),
             s => s is { To: CorrectionState.Rejected, By: DemoCell.Operator, Basis.Sentence: "chip under the probe" });
     });
 

@@ -87,7 +87,7 @@ public sealed partial class CompensationWordsTests
             detail.Steps[1].Basis);
         Assert.Contains(
             "Point 2 lies on a rounded corner",
-            seat.Station.Store.StepsOf(1).Single(s => s.To == CorrectionState.Computed).Basis.Sentence,
+            seat.Station.Store.Corrections.StepsOf(1).Single(s => s.To == CorrectionState.Computed).Basis.Sentence,
             StringComparison.Ordinal);
     });
 

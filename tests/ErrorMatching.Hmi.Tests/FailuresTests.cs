@@ -15,7 +15,7 @@ public sealed class FailuresTests
         store.Dispose();
         Assert.Equal(
             Texts.Current.Word(StoreError.Away),
-            await Failures.OfAsync(() => store.InState(CorrectionState.Proposed), TimeProvider.System));
+            await Failures.OfAsync(() => store.Corrections.InState(CorrectionState.Proposed), TimeProvider.System));
     }
 
     [Fact]

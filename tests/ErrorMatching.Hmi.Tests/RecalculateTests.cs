@@ -39,7 +39,8 @@ public sealed class RecalculateTests
         Assert.Equal(
             "Its job was changed after it was made: correction 3 recalculates the measurement with the current job.",
             CodeText.Of(old!.Code!, old.Reason));
-        Assert.Contains((DemoCell.Operator, CorrectionState.Superseded), seat.Station.Store.StepsOf(1).Select(s => (s.By, s.To)));
+        Assert.Contains(
+            (DemoCell.Operator, CorrectionState.Superseded), seat.Station.Store.Corrections.StepsOf(1).Select(s => (s.By, s.To)));
 
         // In the place of the one before, chosen, and made with the job as it is.
         seat.WaitFor(

@@ -20,9 +20,12 @@ internal sealed class OutsideChanges(CellDatabase database, byte[]? key)
     public Statement? WhyWhole =>
         _ledger.WhyWhole is { } why && (!why.Is(RecordedCheckpoint.Missing) || _ledger.Seq >= Rhythm) ? why : null;
 
-    /// <summary>Ensures that a correction may go to its machine. The first call goes on from the checkpoint, or reads the whole trail;
-    /// later calls read only the new entries.</summary>
-    /// <exception cref="StoreException">With <see cref="StoreError.Tampered"/> if it may not.</exception>
+    /// <summary>Ensures that a correction may go to its machine. According to the audit trail, the row must be genuine, someone with the
+    /// right must have approved it, and its program must be the computed one. Its slot and the database schema must be as the cell left
+    /// them.</summary>
+    /// <remarks>Without a key this cannot be verified, and nothing is required. The first call goes on from the store's checkpoint of the
+    /// trail, or reads the whole trail; later calls read only the new entries.</remarks>
+    /// <exception cref="StoreException">With <see cref="StoreError.Tampered"/> if a condition is not met.</exception>
     public void DemandRecorded(Correction correction)
     {
         if (_ledger.Fault(database, correction) is { } fault)
@@ -32,9 +35,9 @@ internal sealed class OutsideChanges(CellDatabase database, byte[]? key)
     }
 
     /// <summary>Makes a new checkpoint if enough entries were added since the last one.</summary>
-    /// <param name="rhythm">How many entries are enough.</param>
     /// <param name="stop">Ends the reading of the trail; the next call goes on.</param>
-    public void KeepCheckpoint(int rhythm, CancellationToken stop)
+    /// <param name="rhythm">How many entries are enough.</param>
+    public void KeepCheckpoint(CancellationToken stop, int rhythm = Rhythm)
     {
         if (key is null || database.HeardOf() is var now && now - _checkpointAt < rhythm) return;
         var checkpoint = _ledger.Checkpoint(database, stop);

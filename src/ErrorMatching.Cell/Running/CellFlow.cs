@@ -38,7 +38,7 @@ internal sealed class CellFlow(
     public FlowPace Pace => pace;
 
     /// <summary>How long to wait for work without a signal.</summary>
-    public TimeSpan Idle => store.IsPushed ? pace.Told : pace.Idle;
+    public TimeSpan Idle => store.Database.IsPushed ? pace.Told : pace.Idle;
 
     /// <summary>Canceled some seconds after the cell was told to stop: work in progress may finish until then.</summary>
     public CancellationToken Finish => finish;
@@ -102,7 +102,7 @@ internal sealed class CellFlow(
     {
         try
         {
-            store.DemandRecorded(correction);
+            store.Outside.DemandRecorded(correction);
             ReportWholeTrail();
         }
         catch (StoreException e) when (e.Error == StoreError.Tampered)
@@ -115,7 +115,7 @@ internal sealed class CellFlow(
     /// <summary>Says once why the whole audit trail was read. A checkpoint that somebody else wrote is recorded.</summary>
     public void ReportWholeTrail()
     {
-        if (store.WhyWholeTrail is not { } why || _saidTampered.ContainsKey(why.Text)) return;
+        if (store.Outside.WhyWhole is not { } why || _saidTampered.ContainsKey(why.Text)) return;
         log.Warning("{Where}: {Message}", "record", why.Sentence);
         if (why.Is(RecordedCheckpoint.Foreign) || why.Is(RecordedCheckpoint.Astray)) ReportTampered(null, why);
         else _saidTampered.TryAdd(why.Text, true);

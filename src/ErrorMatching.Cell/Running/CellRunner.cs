@@ -156,5 +156,6 @@ public sealed class CellRunner
     }
 
     private static IEnumerable<(string Machine, string Slot, long Waiting)> Lines(CellFlow flow) =>
-        flow.Settings.Machines.SelectMany(m => m.Slots.Select(s => (m.Name, s.Name, (long)flow.Store.Line(m.Name, s.Name).Count)));
+        flow.Settings.Machines.SelectMany(m => m.Slots.Select(
+            s => (m.Name, s.Name, (long)flow.Store.Corrections.Line(m.Name, s.Name).Count)));
 }

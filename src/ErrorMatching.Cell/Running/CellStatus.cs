@@ -51,10 +51,10 @@ public sealed record CellStatus(
             isRunning,
             [.. settings.Machines.SelectMany(m => m.Slots.Select(
                 s => SlotStatus.Of(settings, m, s, store, isRunning ? heartbeat : null)))],
-            [.. store.InState(CorrectionState.Proposed).OrderBy(c => c.Turn).ThenBy(c => c.Id)],
-            store.InState(CorrectionState.Failed),
-            store.InState(CorrectionState.Archived, CorrectionState.Recognized),
-            store.Counts())
+            [.. store.Corrections.InState(CorrectionState.Proposed).OrderBy(c => c.Turn).ThenBy(c => c.Id)],
+            store.Corrections.InState(CorrectionState.Failed),
+            store.Corrections.InState(CorrectionState.Archived, CorrectionState.Recognized),
+            store.Corrections.Counts())
         {
             Tampered = store.Tampered(),
             Backlog = isRunning ? heartbeat!.Backlog : [],

@@ -40,7 +40,7 @@ internal sealed class ComputeWorker(CellFlow flow)
     {
         lock (_gate)
         {
-            var next = flow.Store.First(
+            var next = flow.Store.Corrections.First(
                 CorrectionState.Recognized, _taken.Count + 1, jobs: flow.Jobs).FirstOrDefault(c => !_taken.Contains(c.Id));
             if (next is not null)
             {
@@ -56,7 +56,7 @@ internal sealed class ComputeWorker(CellFlow flow)
         var job = flow.Settings.Jobs.First(j => j.Name == recognized.Job);
         switch (_computer.Compute(CorrectionRequests.Of(flow, recognized, job, flow.Store.Content(recognized.MeasurementSha256)), stop))
         {
-            case ComputedProgram computed when flow.Store.LastSent(job.Name, null) is { } last
+            case ComputedProgram computed when flow.Store.Corrections.LastSent(job.Name, null) is { } last
                 && last.Offset is null != computed.Offset is null:
                 Refuse(recognized, CorrectionCodes.KindChanged, RecordedOffset.KindChanged.With(last.Id, job.Name));
                 break;

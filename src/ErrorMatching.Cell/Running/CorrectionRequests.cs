@@ -18,7 +18,9 @@ internal static class CorrectionRequests
         Job = job,
         Piece = correction.Piece!,
         Measurement = new(correction.FileName, measurement),
-        Part = correction.PartSha256 is { } part ? new(flow.Store.OfMeasurement(part)[0].FileName, flow.Store.Content(part)) : null,
+        Part = correction.PartSha256 is { } part
+            ? new(flow.Store.Corrections.OfMeasurement(part)[0].FileName, flow.Store.Content(part))
+            : null,
         Base = job.Accumulates && !job.IsFreeform && correction.SumsSha256 is not null
             ? flow.Store.Content(correction.BaseSha256!)
             : default(ReadOnlyMemory<byte>?),

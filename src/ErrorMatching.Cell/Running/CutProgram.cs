@@ -16,8 +16,8 @@ internal sealed record CutProgram(Correction? By, Correction? Undecided)
     public static CutProgram Of(CellStore store, Correction counterpart)
     {
         var job = counterpart.Job!;
-        var own = counterpart.Serial is { } serial ? store.LastSent(job, serial) : null;
-        var last = own ?? store.LastSent(job, null);
+        var own = counterpart.Serial is { } serial ? store.Corrections.LastSent(job, serial) : null;
+        var last = own ?? store.Corrections.LastSent(job, null);
         if (last is { State: CorrectionState.Verified })
         {
             return new(null, last);
@@ -36,7 +36,7 @@ internal sealed record CutProgram(Correction? By, Correction? Undecided)
     public static Correction? Before(CellStore store, Correction made) =>
         made is not { BaseSha256: { } program, SumsSha256: not null, Job: { } job }
         ? null
-        : store.OfProgram(job, program).LastOrDefault(
+        : store.Corrections.OfProgram(job, program).LastOrDefault(
             c => c.Id < made.Id
                 && c is { SumsSha256: not null, State: CorrectionState.Verified or CorrectionState.Released or CorrectionState.Reverted });
 

@@ -105,7 +105,7 @@ internal sealed class EventWorker : IAsyncDisposable
     private async Task<TimeSpan> PublishAsync(BrokerSession session, CancellationToken stop)
     {
         var before = _published;
-        if (before - _settled < MostUnsettled && (!_flow.Store.IsPushed || _flow.Store.HeardOf() != before))
+        if (before - _settled < MostUnsettled && (!_flow.Store.Database.IsPushed || _flow.Store.HeardOf() != before))
         {
             var (steps, last) = _feed.After(before, Most);
             foreach (var step in steps)

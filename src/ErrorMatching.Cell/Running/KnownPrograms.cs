@@ -37,7 +37,7 @@ internal sealed class KnownPrograms(CellFlow flow, MachineSettings machine, Slot
         try
         {
             return Marker.Find(NcProgram.Read(found, InputFile.Dialect(machine.Dialect).Syntax)) is [_, ..] markers
-                && markers.All(m => m.Marker is { } marker && flow.Store.OfMeasurement(marker.MeasurementSha256).Count == 0);
+                && markers.All(m => m.Marker is { } marker && flow.Store.Corrections.OfMeasurement(marker.MeasurementSha256).Count == 0);
         }
         catch (InputException)
         {

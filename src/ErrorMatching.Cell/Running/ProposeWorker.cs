@@ -17,7 +17,7 @@ internal sealed class ProposeWorker(CellFlow flow)
         if (!_hasLookedBack)
         {
             // Automatic approvals are left over if the cell ended between the two steps, or if the policy changed.
-            foreach (var proposed in flow.Store.First(CorrectionState.Proposed, int.MaxValue, jobs: flow.Jobs))
+            foreach (var proposed in flow.Store.Corrections.First(CorrectionState.Proposed, int.MaxValue, jobs: flow.Jobs))
             {
                 try
                 {
@@ -32,7 +32,7 @@ internal sealed class ProposeWorker(CellFlow flow)
             _hasLookedBack = true;
         }
 
-        var next = flow.Store.First(CorrectionState.Computed, Most, jobs: flow.Jobs);
+        var next = flow.Store.Corrections.First(CorrectionState.Computed, Most, jobs: flow.Jobs);
         foreach (var computed in next)
         {
             if (stop.IsCancellationRequested)

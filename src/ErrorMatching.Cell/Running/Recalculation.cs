@@ -71,7 +71,7 @@ public sealed class Recalculation(CellSettings settings, CellStore store)
                         $"Correction {correction.Id} was made with the job {job.Name} as it is now: computed anew, it would be the same. "
                             + $"Change and save the job first, or decide about the correction as it is."));
             case Identified { Basis.Identity: var identity }:
-                if (store.OfMeasurement(correction.MeasurementSha256).FirstOrDefault(
+                if (store.Corrections.OfMeasurement(correction.MeasurementSha256).FirstOrDefault(
                     c => c.Id != correction.Id && IsSame(c, correction, job, identity)) is { } known)
                 {
                     throw new DecisionException(

@@ -14,7 +14,7 @@ internal sealed class RecognizeWorker(CellFlow flow)
     /// <returns>How long to wait before looking again.</returns>
     public Task<TimeSpan> WorkAsync(CancellationToken stop)
     {
-        var next = flow.Store.First(CorrectionState.Archived, Most, gauges: flow.Gauges);
+        var next = flow.Store.Corrections.First(CorrectionState.Archived, Most, gauges: flow.Gauges);
         foreach (var archived in next)
         {
             if (stop.IsCancellationRequested)
@@ -131,23 +131,24 @@ internal sealed class RecognizeWorker(CellFlow flow)
             : null;
 
     private Correction? PartOf(Correction? counterpart) =>
-        counterpart?.PartSha256 is { } part ? flow.Store.OfMeasurement(part).LastOrDefault(c => c.Piece == "part") : null;
+        counterpart?.PartSha256 is { } part ? flow.Store.Corrections.OfMeasurement(part).LastOrDefault(c => c.Piece == "part") : null;
 
     // If corrections accumulate, each has another base program and so another identity. The same file is still the same measurement, and
     // must not be added twice.
     private Correction? Earlier(Correction known, CellJobSettings job) =>
-        !job.Accumulates ? null : flow.Store.OfMeasurement(known.MeasurementSha256)
+        !job.Accumulates ? null : flow.Store.Corrections.OfMeasurement(known.MeasurementSha256)
         .FirstOrDefault(c => c.Id != known.Id && c.Job == known.Job && c.Piece == known.Piece && c.Identity is not null);
 
     // The part whose program cut it, if parts make programs. A value that either of the two lacks may be anything.
     private Correction? LastCut(Correction counterpart, CellJobSettings job) => flow.Settings.Jobs.Where(j => j.File == job.File)
-        .Select(j => flow.Store.LastSent(j.Name, counterpart.Serial)).OfType<Correction>()
+        .Select(j => flow.Store.Corrections.LastSent(j.Name, counterpart.Serial)).OfType<Correction>()
             .Where(c => c.Piece == "part" && (counterpart.WorkOrder is null || c.WorkOrder is null || c.WorkOrder == counterpart.WorkOrder))
             .MaxBy(c => c.Id);
 
     // A configuration may name the same job file twice, once for each piece.
     private Correction? LastPart(Correction counterpart, CellJobSettings job) => flow.Settings.Jobs.Where(j => j.File == job.File)
-        .Select(j => flow.Store.LastPart(j.Name, counterpart.Serial, counterpart.WorkOrder)).OfType<Correction>().MaxBy(c => c.Turn);
+        .Select(j => flow.Store.Corrections.LastPart(j.Name, counterpart.Serial, counterpart.WorkOrder))
+        .OfType<Correction>().MaxBy(c => c.Turn);
 
     private static Statement? Named(Correction piece) => (piece.Serial, piece.WorkOrder) switch
     {

@@ -18,9 +18,9 @@ internal sealed class RecordWorker(CellFlow flow)
     public Task<TimeSpan> WorkAsync(CancellationToken stop)
     {
         stop.ThrowIfCancellationRequested();
-        flow.Store.KeepCheckpoint(stop);
+        flow.Store.Outside.KeepCheckpoint(stop);
         flow.ReportWholeTrail();
-        var behind = flow.Store.LookBehindCheckpoint(Behind);
+        var behind = flow.Store.Outside.LookBehind(Behind);
         IReadOnlyList<Statement> found = [.. behind is null ? Array.Empty<Statement>() : [behind], .. flow.Store.Tampered()];
         if (found is not [var first, ..])
         {

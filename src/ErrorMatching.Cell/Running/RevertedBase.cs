@@ -20,7 +20,7 @@ internal sealed record RevertedBase(Correction By)
             return null;
         }
 
-        var made = flow.Store.OfProgram(job, program);
+        var made = flow.Store.Corrections.OfProgram(job, program);
         return made.Any(c => c.State is CorrectionState.Verified or CorrectionState.Released)
             || made.LastOrDefault(c => c.State == CorrectionState.Reverted) is not { } reverted
             || IsOriginal(flow, job, program)

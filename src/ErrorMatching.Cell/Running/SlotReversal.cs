@@ -47,7 +47,7 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
         }
 
         // The correction's row names the program to restore.
-        store.DemandRecorded(correction);
+        store.Outside.DemandRecorded(correction);
         var right = new SlotRight(store, machine.Name, slot.Name);
         using var taken = await LockAsync(right, cancellation)
             ?? throw new DecisionException(

@@ -67,7 +67,8 @@ public sealed record SlotStatus(
             slot,
             holding,
             holding.Correction is { } id ? store.Find(id) : null,
-            SlotLine.Order(store.Line(machine.Name, slot.Name), job => settings.Jobs.Any(j => j.Name == job && j.InOrderOfSerial)))
+            SlotLine.Order(
+                store.Corrections.Line(machine.Name, slot.Name), job => settings.Jobs.Any(j => j.Name == job && j.InOrderOfSerial)))
         {
             Report = running?.Machines.FirstOrDefault(m => m.Machine == machine.Name),
             Delivery = running?.Waiting.FirstOrDefault(w => w.Machine == machine.Name && w.Slot == slot.Name),

@@ -19,7 +19,7 @@ internal sealed class SlotView(CellFlow flow, MachineSettings machine, SlotSetti
     /// <exception cref="StoreException">The store cannot be used.</exception>
     public void Look()
     {
-        var count = flow.Store.IsPushed ? flow.Store.HeardOf() : Unknown;
+        var count = flow.Store.Database.IsPushed ? flow.Store.HeardOf() : Unknown;
         if (count != Unknown && count == _count) return;
         _count = Unknown;
         Holding = flow.Store.Slot(machine.Name, slot.Name);
@@ -30,8 +30,8 @@ internal sealed class SlotView(CellFlow flow, MachineSettings machine, SlotSetti
 
     // Only where the serial number decides, all others in line must be looked at.
     private Correction? FirstInLine() =>
-        flow.Store.FirstInLine(machine.Name, slot.Name) is not { } first ? null
-        : IsInOrderOfSerial(first.Job!) ? SlotLine.First(flow.Store.Line(machine.Name, slot.Name), IsInOrderOfSerial)
+        flow.Store.Corrections.FirstInLine(machine.Name, slot.Name) is not { } first ? null
+        : IsInOrderOfSerial(first.Job!) ? SlotLine.First(flow.Store.Corrections.Line(machine.Name, slot.Name), IsInOrderOfSerial)
         : first;
 
     private bool IsInOrderOfSerial(string job) => flow.Settings.Jobs.FirstOrDefault(j => j.Name == job)?.InOrderOfSerial ?? false;

@@ -11,7 +11,7 @@ internal sealed class UnservedWorker(CellFlow flow)
     public Task<TimeSpan> WorkAsync(CancellationToken stop)
     {
         stop.ThrowIfCancellationRequested();
-        var unserved = flow.Store.Waiting()
+        var unserved = flow.Store.Corrections.Waiting()
             .Select(w => (Waiting: w, Lacks: Lacks(w)))
             .Where(w => w.Lacks is not null)
             .OrderBy(w => w.Waiting.First)

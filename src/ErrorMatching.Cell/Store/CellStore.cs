@@ -12,20 +12,24 @@ public sealed class CellStore : IDisposable
 {
     private readonly TimeProvider _clock;
     private readonly byte[]? _auditKey;
-    private readonly CorrectionQueries _corrections;
-    private readonly OutsideChanges _outside;
 
     private CellStore(CellDatabase database, TimeProvider clock, byte[]? auditKey)
     {
         Database = database;
         _clock = clock;
         _auditKey = auditKey;
-        _corrections = new(database);
-        _outside = new(database, auditKey);
+        Corrections = new(database);
+        Outside = new(database, auditKey);
     }
 
     /// <summary>The database, for tables of other parts of the cell.</summary>
     internal CellDatabase Database { get; }
+
+    /// <summary>Reads corrections other than one by its number: by state, in line for a slot, and the latest of a job.</summary>
+    public CorrectionQueries Corrections { get; }
+
+    /// <summary>Detects changes that were made from outside the cell, and keeps checkpoints of the audit trail.</summary>
+    internal OutsideChanges Outside { get; }
 
     /// <summary>Opens a store, creates it if there is none, and migrates an earlier version to the current schema.</summary>
     /// <param name="settings">Where it is.</param>
@@ -97,70 +101,7 @@ public sealed class CellStore : IDisposable
     internal bool Keeps(string sha256) => StoredContent.Has(Database, sha256);
 
     /// <summary>A correction by its number; null if there is none.</summary>
-    public Correction? Find(long id) => _corrections.Find(id);
-
-    /// <summary>The corrections in any of the given states, in order of arrival.</summary>
-    public IReadOnlyList<Correction> InState(params CorrectionState[] states) => _corrections.InState(states);
-
-    /// <summary>The steps of a correction, in order.</summary>
-    public IReadOnlyList<CorrectionStep> StepsOf(long id) => _corrections.StepsOf(id);
-
-    /// <summary>The corrections in line for a slot, in order of arrival: from recognized to approved, and those that failed there. A
-    /// correction that failed without a program has nothing to send and is excluded. A correction that is recalculated keeps its
-    /// place.</summary>
-    /// <param name="machine">The machine.</param>
-    /// <param name="slot">Its slot.</param>
-    public IReadOnlyList<Correction> Line(string machine, string slot) => _corrections.Line(machine, slot);
-
-    /// <summary>The first correction of <see cref="Line"/>, without reading the others; null if the line is empty.</summary>
-    internal Correction? FirstInLine(string machine, string slot) => _corrections.FirstInLine(machine, slot);
-
-    /// <summary>The first corrections in a state, in order of arrival, for given gauges or jobs, since several cells may share a
-    /// store.</summary>
-    /// <param name="state">The state.</param>
-    /// <param name="most">Maximum number of corrections.</param>
-    /// <param name="gauges">The gauges; null for all.</param>
-    /// <param name="jobs">The cell's jobs; null for all.</param>
-    public IReadOnlyList<Correction> First(
-        CorrectionState state, int most, IReadOnlyList<string>? gauges = null, IReadOnlyList<string>? jobs = null) =>
-        _corrections.First(state, most, gauges, jobs);
-
-    /// <summary>The latest corrections of some jobs that have a report, last arrival first. A series of pieces is displayed from
-    /// them.</summary>
-    /// <param name="jobs">The cell's jobs.</param>
-    /// <param name="most">Maximum number of corrections.</param>
-    public IReadOnlyList<Correction> Reported(IReadOnlyList<string> jobs, int most) => _corrections.Reported(jobs, most);
-
-    /// <summary>The number of corrections of some jobs that have a report.</summary>
-    /// <param name="jobs">The cell's jobs.</param>
-    public long CountReported(IReadOnlyList<string> jobs) => _corrections.CountReported(jobs);
-
-    /// <summary>The number of corrections in each state; states without any are omitted.</summary>
-    public IReadOnlyDictionary<CorrectionState, long> Counts() => _corrections.Counts();
-
-    /// <summary>The correction of a job whose program was last verified at its machine and not reverted; null if there is none.</summary>
-    /// <param name="job">The cell's job.</param>
-    /// <param name="serial">The serial number of the piece; null for any.</param>
-    public Correction? LastSent(string job, string? serial) => _corrections.LastSent(job, serial);
-
-    /// <summary>The latest measurement of a job's part that was recognized or recorded; null if there is none.</summary>
-    /// <remarks>If a serial number or a work order is given, the part matches at least one and contradicts neither. A value that the part
-    /// lacks may be anything.</remarks>
-    /// <param name="job">The cell's job.</param>
-    /// <param name="serial">Serial number of the piece; null if unknown.</param>
-    /// <param name="workOrder">The work order; null if unknown.</param>
-    public Correction? LastPart(string job, string? serial, string? workOrder) => _corrections.LastPart(job, serial, workOrder);
-
-    /// <summary>The corrections with a given measurement content, in order of arrival.</summary>
-    public IReadOnlyList<Correction> OfMeasurement(string sha256) => _corrections.OfMeasurement(sha256);
-
-    /// <summary>A job's corrections with a given compensated program, in order of arrival.</summary>
-    /// <param name="job">The cell's job.</param>
-    /// <param name="sha256">The program.</param>
-    public IReadOnlyList<Correction> OfProgram(string job, string sha256) => _corrections.OfProgram(job, sha256);
-
-    /// <summary>The corrections from archived to uploading, without failed ones, grouped by what they wait for.</summary>
-    internal IReadOnlyList<WaitingCorrections> Waiting() => _corrections.Waiting();
+    public Correction? Find(long id) => First(CorrectionRow.Select + " WHERE id = @id", CorrectionRow.Read, [("id", id)]);
 
     /// <summary>Searches the history for corrections.</summary>
     /// <returns>The latest matches, last arrival first.</returns>
@@ -198,7 +139,8 @@ public sealed class CellStore : IDisposable
         Func<Correction, Correction>? with = null,
         IReadOnlyList<ReadOnlyMemory<byte>>? contents = null) => Step(from, to, by, basis, with, contents, isPageOfReport: false);
 
-    // The same. isPageOfReport: the page among the contents was drawn from the report among them, by ReportPages.
+    /// <summary>Takes one step. If <paramref name="isPageOfReport"/>, the page among the contents was drawn from the report among them by
+    /// <see cref="ReportPages"/>, and only the report is stored.</summary>
     internal Correction Step(
         Correction from,
         CorrectionState to,
@@ -233,28 +175,9 @@ public sealed class CellStore : IDisposable
         return Write(transaction => ArrivalWriter.Recalculate(transaction, correction, by, reason));
     }
 
-    /// <summary>Ensures that a correction may go to its machine. According to the audit trail, the row must be genuine, someone with the
-    /// right must have approved it, and its program must be the computed one. Its slot and the database schema must be as the cell left
-    /// them.</summary>
-    /// <remarks>Without a key this cannot be verified, and nothing is required. The first call goes on from the store's checkpoint of the
-    /// trail, or reads the whole trail; later calls read only the new entries.</remarks>
-    /// <exception cref="StoreException">With <see cref="StoreError.Tampered"/> if a condition is not met.</exception>
-    internal void DemandRecorded(Correction correction) => _outside.DemandRecorded(correction);
-
-    /// <summary>Why this process read the whole audit trail, and did not go on from a checkpoint; null if it did, or if the trail is
-    /// short.</summary>
-    internal Statement? WhyWholeTrail => _outside.WhyWhole;
-
-    /// <summary>Makes a new checkpoint of the audit trail if enough entries were added since the last one.</summary>
-    internal void KeepCheckpoint(CancellationToken stop, int rhythm = OutsideChanges.Rhythm) => _outside.KeepCheckpoint(rhythm, stop);
-
-    /// <summary>Looks at some more of the entries before the checkpoint that this process went on from.</summary>
-    /// <returns>What is wrong with one of them; null if nothing is.</returns>
-    internal Statement? LookBehindCheckpoint(int most) => _outside.LookBehind(most);
-
     /// <summary>Changes made outside the cell, found by a quick check of users, slots, the first 500 corrections that have not ended, and
     /// the database schema. <c>audit verify</c> may find more.</summary>
-    public IReadOnlyList<Statement> Tampered() => _outside.Find();
+    public IReadOnlyList<Statement> Tampered() => Outside.Find();
 
     /// <summary>Archives that contents were moved to and that are not in their folder, each in a sentence.</summary>
     public IReadOnlyList<string> MissingArchives() =>
@@ -293,7 +216,7 @@ public sealed class CellStore : IDisposable
     /// <param name="subject">What it was done to; null if nothing in particular.</param>
     public void Audit(string who, string what, Statement basis, Statement? subject = null) => Audit(who, what, basis, subject, null);
 
-    /// <summary>The same, and stores the content that the entry refers to, by its hash.</summary>
+    /// <summary>Records an act that is not a step of a correction, and stores the content that its entry refers to by its hash.</summary>
     internal void Audit(string who, string what, Statement basis, Statement? subject, byte[]? content)
     {
         var kept = content is null ? [] : StoredContent.Pack([content]);
@@ -329,19 +252,16 @@ public sealed class CellStore : IDisposable
     /// <summary>A number that differs after any change: the number of the last audit entry.</summary>
     public long ChangeCount() => AuditHead().Seq;
 
-    /// <summary>The same as far as this process has heard of it. On a server, that asks nobody: the server tells of changes, and is asked
-    /// only every few seconds in case that it could not.</summary>
+    /// <summary>The latest <see cref="ChangeCount"/> that this process knows, cheap enough to be read all the time. A server reports
+    /// changes, and is asked itself only every few seconds in case a report was lost.</summary>
     public long HeardOf() => Database.HeardOf();
-
-    /// <summary>True if the store tells this process of the changes of others.</summary>
-    internal bool IsPushed => Database.IsPushed;
 
     /// <summary>Writes a copy of the whole store as of one moment, while others continue to work.</summary>
     /// <param name="file">The copy, which appears complete or not at all.</param>
     /// <exception cref="StoreException">With <see cref="StoreError.NotSupported"/> for PostgreSQL, which has its own tools.</exception>
     public void Backup(string file) => Backup(file, null, CancellationToken.None);
 
-    /// <summary>The same, with progress and cancellation.</summary>
+    /// <summary>Writes a copy of the whole store as of one moment, while others continue to work, and reports progress.</summary>
     /// <param name="file">The copy, which appears complete or not at all.</param>
     /// <param name="progress">Receives progress; null for no reports.</param>
     /// <param name="cancellation">Cancels the copy and leaves nothing of it behind.</param>
@@ -361,7 +281,8 @@ public sealed class CellStore : IDisposable
     public static string? Restore(StoreSettings settings, string backup, TimeProvider clock, string by, byte[]? auditKey = null) =>
         Restore(settings, backup, clock, by, auditKey, null, CancellationToken.None);
 
-    /// <summary>The same, with progress and cancellation.</summary>
+    /// <summary>Restores a backup in place of the store, and reports progress. The backup is unchanged; the store that it replaces is kept
+    /// next to it.</summary>
     /// <param name="settings">Where the store is; it need not exist.</param>
     /// <param name="backup">The backup's file.</param>
     /// <param name="clock">Supplies the time of the audit entry.</param>
@@ -402,7 +323,7 @@ public sealed class CellStore : IDisposable
     public Thinned Thin(ThinPolicy policy, string? by, IProgress<CellProgress>? progress, CancellationToken cancellation) =>
         Thin(policy, by, _ => { }, progress, cancellation);
 
-    /// <summary>The same; tests end the process between two steps.</summary>
+    /// <summary>Moves contents to archives, and calls back between two steps, where tests end the process.</summary>
     internal Thinned Thin(
         ThinPolicy policy, string? by, Action<string> at, IProgress<CellProgress>? progress, CancellationToken cancellation)
     {

@@ -3,19 +3,20 @@ using System.Globalization;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Reads corrections: by number, by state, in line for a slot, and the latest of a job.</summary>
-/// <param name="database">The store's database.</param>
-internal sealed class CorrectionQueries(CellDatabase database)
+/// <summary>Reads corrections: by state, in line for a slot, and the latest of a job.</summary>
+/// <remarks>Every member throws a <see cref="StoreException"/> if the store cannot be read.</remarks>
+public sealed class CorrectionQueries
 {
-    /// <inheritdoc cref="CellStore.Find"/>
-    public Correction? Find(long id) => First(CorrectionRow.Select + " WHERE id = @id", CorrectionRow.Read, [("id", id)]);
+    private readonly CellDatabase _database;
 
-    /// <inheritdoc cref="CellStore.InState"/>
+    internal CorrectionQueries(CellDatabase database) => _database = database;
+
+    /// <summary>The corrections in any of the given states, in order of arrival.</summary>
     public IReadOnlyList<Correction> InState(params CorrectionState[] states) => states is []
         ? []
         : Read(CorrectionRow.Select + $" WHERE {CorrectionRow.IsIn("state", states)} ORDER BY id", CorrectionRow.Read);
 
-    /// <inheritdoc cref="CellStore.StepsOf"/>
+    /// <summary>The steps of a correction, in order.</summary>
     public IReadOnlyList<CorrectionStep> StepsOf(long id) =>
         Read(
             "SELECT correction, from_state, to_state, at, who, basis FROM step WHERE correction = @id ORDER BY step.id",
@@ -28,7 +29,11 @@ internal sealed class CorrectionQueries(CellDatabase database)
         CorrectionState.Archived, CorrectionState.Recognized, CorrectionState.Computed, CorrectionState.Proposed, CorrectionState.Approved,
     ];
 
-    /// <inheritdoc cref="CellStore.Line"/>
+    /// <summary>The corrections in line for a slot, in order of arrival: from recognized to approved, and those that failed there. A
+    /// correction that failed without a program has nothing to send and is excluded. A correction that is recalculated keeps its
+    /// place.</summary>
+    /// <param name="machine">The machine.</param>
+    /// <param name="slot">Its slot.</param>
     public IReadOnlyList<Correction> Line(string machine, string slot) => Read(
         CorrectionRow.Select
             + " WHERE machine = @machine AND slot = @slot AND ("
@@ -37,8 +42,8 @@ internal sealed class CorrectionQueries(CellDatabase database)
         CorrectionRow.Read,
         [("machine", machine), ("slot", slot), ("Failed", CorrectionRow.Word(CorrectionState.Failed))]);
 
-    /// <inheritdoc cref="CellStore.FirstInLine"/>
-    public Correction? FirstInLine(string machine, string slot)
+    /// <summary>The first correction of <see cref="Line"/>, without reading the others; null if the line is empty.</summary>
+    internal Correction? FirstInLine(string machine, string slot)
     {
         // The least number of each state is the first of an index, and so is the least place of those that are recalculated. The one
         // of both that comes first is the first in line: a recalculated one comes before its own number.
@@ -75,7 +80,12 @@ internal sealed class CorrectionQueries(CellDatabase database)
             ?? (Line(machine, slot) is [var first, ..] ? first : null);
     }
 
-    /// <inheritdoc cref="CellStore.First(CorrectionState, int, IReadOnlyList{string}?, IReadOnlyList{string}?)"/>
+    /// <summary>The first corrections in a state, in order of arrival, for given gauges or jobs, since several cells may share a
+    /// store.</summary>
+    /// <param name="state">The state.</param>
+    /// <param name="most">Maximum number of corrections.</param>
+    /// <param name="gauges">The gauges; null for all.</param>
+    /// <param name="jobs">The cell's jobs; null for all.</param>
     public IReadOnlyList<Correction> First(
         CorrectionState state, int most, IReadOnlyList<string>? gauges = null, IReadOnlyList<string>? jobs = null)
     {
@@ -84,7 +94,10 @@ internal sealed class CorrectionQueries(CellDatabase database)
         return Read(CorrectionRow.Select + where + " ORDER BY id LIMIT @most", CorrectionRow.Read, parameters);
     }
 
-    /// <inheritdoc cref="CellStore.Reported"/>
+    /// <summary>The latest corrections of some jobs that have a report, last arrival first. A series of pieces is displayed from
+    /// them.</summary>
+    /// <param name="jobs">The cell's jobs.</param>
+    /// <param name="most">Maximum number of corrections.</param>
     public IReadOnlyList<Correction> Reported(IReadOnlyList<string> jobs, int most)
     {
         List<(string, SqlArgument)> parameters = [("most", most)];
@@ -92,7 +105,8 @@ internal sealed class CorrectionQueries(CellDatabase database)
         return Read(CorrectionRow.Select + where + " ORDER BY id DESC LIMIT @most", CorrectionRow.Read, parameters);
     }
 
-    /// <inheritdoc cref="CellStore.CountReported"/>
+    /// <summary>The number of corrections of some jobs that have a report.</summary>
+    /// <param name="jobs">The cell's jobs.</param>
     public long CountReported(IReadOnlyList<string> jobs)
     {
         List<(string, SqlArgument)> parameters = [];
@@ -100,14 +114,16 @@ internal sealed class CorrectionQueries(CellDatabase database)
         return Read("SELECT count(*) FROM correction" + where, r => r.GetInt64(0), parameters)[0];
     }
 
-    /// <inheritdoc cref="CellStore.Counts"/>
+    /// <summary>The number of corrections in each state; states without any are omitted.</summary>
     public IReadOnlyDictionary<CorrectionState, long> Counts() =>
         Read(
             "SELECT state, count(*) FROM correction GROUP BY state",
             r => (State: Enum.Parse<CorrectionState>(r.GetString(0), ignoreCase: true), Count: r.GetInt64(1)))
             .ToDictionary(c => c.State, c => c.Count);
 
-    /// <inheritdoc cref="CellStore.LastSent"/>
+    /// <summary>The correction of a job whose program was last verified at its machine and not reverted; null if there is none.</summary>
+    /// <param name="job">The cell's job.</param>
+    /// <param name="serial">The serial number of the piece; null for any.</param>
     public Correction? LastSent(string job, string? serial)
     {
         var columns = string.Join(", ", CorrectionRow.Columns.Split(", ").Select(c => "correction." + c));
@@ -124,7 +140,12 @@ internal sealed class CorrectionQueries(CellDatabase database)
         return found is [var last] ? last : null;
     }
 
-    /// <inheritdoc cref="CellStore.LastPart"/>
+    /// <summary>The latest measurement of a job's part that was recognized or recorded; null if there is none.</summary>
+    /// <remarks>If a serial number or a work order is given, the part matches at least one and contradicts neither. A value that the part
+    /// lacks may be anything.</remarks>
+    /// <param name="job">The cell's job.</param>
+    /// <param name="serial">Serial number of the piece; null if unknown.</param>
+    /// <param name="workOrder">The work order; null if unknown.</param>
     public Correction? LastPart(string job, string? serial, string? workOrder)
     {
         var known = string.Join(
@@ -143,19 +164,21 @@ internal sealed class CorrectionQueries(CellDatabase database)
         return found is [var last] ? last : null;
     }
 
-    /// <inheritdoc cref="CellStore.OfMeasurement"/>
+    /// <summary>The corrections with a given measurement content, in order of arrival.</summary>
     public IReadOnlyList<Correction> OfMeasurement(string sha256) =>
         Read(CorrectionRow.Select + " WHERE measurement_sha256 = @sha256 ORDER BY id", CorrectionRow.Read, [("sha256", sha256)]);
 
-    /// <inheritdoc cref="CellStore.OfProgram"/>
+    /// <summary>A job's corrections with a given compensated program, in order of arrival.</summary>
+    /// <param name="job">The cell's job.</param>
+    /// <param name="sha256">The program.</param>
     public IReadOnlyList<Correction> OfProgram(string job, string sha256) =>
         Read(
             CorrectionRow.Select + " WHERE program_sha256 = @sha256 AND job = @job ORDER BY id",
             CorrectionRow.Read,
             [("sha256", sha256), ("job", job)]);
 
-    /// <inheritdoc cref="CellStore.Waiting"/>
-    public IReadOnlyList<WaitingCorrections> Waiting() => Read(
+    /// <summary>The corrections from archived to uploading, without failed ones, grouped by what they wait for.</summary>
+    internal IReadOnlyList<WaitingCorrections> Waiting() => Read(
         "SELECT state, gauge, job, machine, slot, count(*), min(id) FROM correction WHERE "
         + CorrectionRow.IsIn(
             "state",
@@ -191,11 +214,12 @@ internal sealed class CorrectionQueries(CellDatabase database)
 
         return marks.Length == 0 ? " AND 1 = 0" : $" AND {column} IN ({string.Join(", ", marks)})";
     }
+
     private IReadOnlyList<T> Read<T>(string sql, Func<DbDataReader, T> row, SqlArguments? parameters = null) =>
-        database.Read(connection => Rows.Query(connection, sql, row, parameters));
+        _database.Read(connection => Rows.Query(connection, sql, row, parameters));
 
     private Correction? First(string sql, Func<DbDataReader, Correction> row, SqlArguments? parameters) =>
-        database.Read(connection => Rows.First(connection, sql, row, parameters));
+        _database.Read(connection => Rows.First(connection, sql, row, parameters));
 }
 
 /// <summary>Corrections that have not ended and wait for the same thing.</summary>

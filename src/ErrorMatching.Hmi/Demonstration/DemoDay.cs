@@ -70,7 +70,7 @@ internal sealed class DemoDay(DemoCell cell, TimeProvider clock)
             {
                 await Task.Delay(BetweenSurfaces, clock, end);
             }
-            while (store.InState(CorrectionState.Proposed).Any(c => c.Piece == "surface"));
+            while (store.Corrections.InState(CorrectionState.Proposed).Any(c => c.Piece == "surface"));
         }
     }
 
@@ -79,14 +79,14 @@ internal sealed class DemoDay(DemoCell cell, TimeProvider clock)
         while (true)
         {
             await Task.Delay(TimeSpan.FromSeconds(1), clock, end);
-            foreach (var held in store.InState(CorrectionState.Verified).Where(c => clock.GetUtcNow() - c.ChangedAt >= Cutting))
+            foreach (var held in store.Corrections.InState(CorrectionState.Verified).Where(c => clock.GetUtcNow() - c.ChangedAt >= Cutting))
             {
                 Measure(store, held);
                 cell.FinishPiece(held.Machine);
             }
 
             // A user has already reported it as cut.
-            foreach (var cut in store.InState(CorrectionState.Released))
+            foreach (var cut in store.Corrections.InState(CorrectionState.Released))
             {
                 Measure(store, cut);
             }
@@ -110,7 +110,7 @@ internal sealed class DemoDay(DemoCell cell, TimeProvider clock)
     // Computed with the current job, and with an earlier version of it.
     private static (int Current, int Outdated) Waiting(CellStore store, ChangedJobs jobs)
     {
-        var waiting = store.InState(CorrectionState.Proposed).Where(c => c.Piece == "part").ToArray();
+        var waiting = store.Corrections.InState(CorrectionState.Proposed).Where(c => c.Piece == "part").ToArray();
         var outdated = jobs.Among(store, waiting).Count;
         return (waiting.Length - outdated, outdated);
     }

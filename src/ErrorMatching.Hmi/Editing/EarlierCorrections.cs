@@ -24,7 +24,7 @@ internal sealed class EarlierCorrections(Station station, Func<SignedIn?> who)
     {
         var names = station.Settings.Jobs.Where(j => j.File == job.File).Select(j => j.Name).ToArray();
         return [
-            .. station.Store.InState(
+            .. station.Store.Corrections.InState(
                 CorrectionState.Proposed, CorrectionState.Approved, CorrectionState.Failed).Where(c => names.Contains(c.Job))];
     }
 

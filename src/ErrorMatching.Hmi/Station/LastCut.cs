@@ -34,7 +34,7 @@ public sealed record LastCut(Correction Correction, bool IsMating, Correction? C
         return new(
             cut,
             mating is not null,
-            mating is null ? null : store.Reported(mating.Jobs, StoredPieces.Most).FirstOrDefault(c => IsOf(c, cut)));
+            mating is null ? null : store.Corrections.Reported(mating.Jobs, StoredPieces.Most).FirstOrDefault(c => IsOf(c, cut)));
 
         Correction? Last(CorrectionState state) => store.Search(new() { Machine = slot.Machine.Name, State = state, Most = Looked })
             .Where(c => c.Slot == slot.Slot.Name)

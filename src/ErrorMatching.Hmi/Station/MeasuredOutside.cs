@@ -32,7 +32,7 @@ internal sealed class MeasuredOutside(CellSettings settings)
     private IEnumerable<Correction> Measured(CellStore store, MatingChoice mating)
     {
         Correction[] measured = [
-            .. store.Reported(mating.Jobs, StoredPieces.Most).Where(
+            .. store.Corrections.Reported(mating.Jobs, StoredPieces.Most).Where(
                 c => c.Piece == "counterpart" && c.State is not (CorrectionState.Rejected or CorrectionState.Superseded))];
         if (!_since.TryGetValue(mating.Name, out var since))
         {

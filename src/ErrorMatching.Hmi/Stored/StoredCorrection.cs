@@ -64,7 +64,7 @@ internal sealed record StoredCorrection(
                 ? new ProgramLines(store.Content(was), program, report?.Program.Blocks ?? [], (report?.Proof ?? surface?.Proof)?.Marker)
             : surface is not null ? new ProgramLines(program, program, [])
             : null;
-        return new(correction, store.StepsOf(correction.Id), report, lines)
+        return new(correction, store.Corrections.StepsOf(correction.Id), report, lines)
         {
             Surface = surface,
             Before = correction.PreviousSha256 is { } previous

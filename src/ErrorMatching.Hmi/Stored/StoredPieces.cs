@@ -21,7 +21,7 @@ internal sealed class StoredPieces
         var pieces = new List<StoredPiece>();
 
         // Rejected and superseded corrections were never cut.
-        foreach (var correction in store.Reported(jobs, most)
+        foreach (var correction in store.Corrections.Reported(jobs, most)
             .Where(c => c.State is not (CorrectionState.Rejected or CorrectionState.Superseded))
             .OrderBy(c => c.Turn)
             .ThenBy(c => c.Id))

@@ -28,7 +28,7 @@ public sealed class OffsetCellTests
 
         // Everything that people read says so.
         Assert.All(
-            cell.Store.StepsOf(1).Where(s => s.To is CorrectionState.Computed or CorrectionState.Proposed),
+            cell.Store.Corrections.StepsOf(1).Where(s => s.To is CorrectionState.Computed or CorrectionState.Proposed),
             s => Assert.Contains("radius D1 by 0.0200 mm", s.Basis.Sentence, StringComparison.Ordinal));
         Assert.Contains(
             cell.Store.AuditEntries(0, 99),
@@ -128,9 +128,9 @@ public sealed class OffsetCellTests
         Assert.Equal(first, OffsetCell.Sent(cell));
 
         // Approved as it is, it fails again; behind the program that takes the first one back, it is sent.
-        var steps = cell.Store.StepsOf(2).Count;
+        var steps = cell.Store.Corrections.StepsOf(2).Count;
         new CorrectionDecisions(cell.Store).Approve(2, "sam", null);
-        await RunningCell.Until(() => cell.Store.StepsOf(2).Count >= steps + 3);
+        await RunningCell.Until(() => cell.Store.Corrections.StepsOf(2).Count >= steps + 3);
         Assert.Equal(CorrectionState.Failed, cell.Store.Find(2)!.State);
         Assert.Equal(first, OffsetCell.Sent(cell));
         await cell.StopAsync();

@@ -101,13 +101,13 @@ public sealed class SqliteDamageTests : IDisposable
         Assert.Equal(StoreError.Away, Assert.Throws<StoreException>(() => store.ChangeCount()).Error);
         Assert.Equal(StoreError.Away, Assert.Throws<StoreException>(() => Archive(store, 2)).Error);
         Move(".aside", "");
-        Assert.Equal([kept], store.InState(CorrectionState.Archived));
+        Assert.Equal([kept], store.Corrections.InState(CorrectionState.Archived));
 
         var backup = Path.Combine(_folder, "backup.db");
         store.Backup(backup);
         Move("", ".aside");
         System.IO.File.Move(backup, File);
-        Assert.Equal([kept], store.InState(CorrectionState.Archived));
+        Assert.Equal([kept], store.Corrections.InState(CorrectionState.Archived));
         Archive(store, 3);
         Assert.Null(store.VerifyAudit());
     }
@@ -225,7 +225,7 @@ public sealed class SqliteDamageTests : IDisposable
             System.IO.File.Copy(File, copy);
             System.IO.File.WriteAllBytes(copy + "-wal", torn);
             using var opened = CellStore.Open(new SqliteSettings(copy), TimeProvider.System);
-            var found = opened.InState(CorrectionState.Archived);
+            var found = opened.Corrections.InState(CorrectionState.Archived);
             Assert.InRange(found.Count, fewest, most);
             Assert.Equal(kept.Take(found.Count), found);
             Assert.All(found, c => opened.Content(c.MeasurementSha256));
@@ -270,7 +270,7 @@ public sealed class SqliteDamageTests : IDisposable
         using (var store = CellStore.Open(Settings, TimeProvider.System))
         {
             for (var i = 0; i < 30; i++) Archive(store, i);
-            before = store.InState(CorrectionState.Archived);
+            before = store.Corrections.InState(CorrectionState.Archived);
             using var stop = new CancellationTokenSource();
             var writer = new Thread(() =>
             {
@@ -291,7 +291,7 @@ public sealed class SqliteDamageTests : IDisposable
         Assert.Equal(10_000, new FileInfo(aside!).Length);
         Assert.Equal(bytes, System.IO.File.ReadAllBytes(backup));
         using var restored = CellStore.Open(Settings, TimeProvider.System);
-        var found = restored.InState(CorrectionState.Archived);
+        var found = restored.Corrections.InState(CorrectionState.Archived);
         Assert.Equal(before, found.Take(before.Count));
         Assert.All(found, c => restored.Content(c.MeasurementSha256));
         Assert.Null(restored.VerifyAudit());
@@ -309,7 +309,7 @@ public sealed class SqliteDamageTests : IDisposable
         foreach (var file in Directory.EnumerateFiles(_folder, "cell.db*")) System.IO.File.Delete(file);
         System.IO.File.Copy(backup, File);
         using var restored = CellStore.Open(Settings, TimeProvider.System);
-        Assert.Equal(kept, restored.InState(CorrectionState.Archived));
+        Assert.Equal(kept, restored.Corrections.InState(CorrectionState.Archived));
     }
 
     [Fact]
@@ -328,9 +328,10 @@ public sealed class SqliteDamageTests : IDisposable
 
         var cut = new SqliteSettings(Path.Combine(_folder, "cut.db"));
         var aside = CellStore.Restore(cut, backup, TimeProvider.System, "anna");
-        using (var restored = CellStore.Open(cut, TimeProvider.System)) Assert.Single(restored.InState(CorrectionState.Archived));
+        using (var restored = CellStore.Open(cut, TimeProvider.System))
+            Assert.Single(restored.Corrections.InState(CorrectionState.Archived));
         using var kept = CellStore.Open(new SqliteSettings(aside!), TimeProvider.System);
-        Assert.Equal(20, kept.InState(CorrectionState.Archived).Count);
+        Assert.Equal(20, kept.Corrections.InState(CorrectionState.Archived).Count);
     }
 
     [Fact]
@@ -350,7 +351,7 @@ public sealed class SqliteDamageTests : IDisposable
             StoreError.Missing,
             Assert.Throws<StoreException>(() => CellStore.Restore(Settings, backup + ".none", TimeProvider.System, "anna")).Error);
         Assert.Equal(StoreError.Denied, Assert.Throws<StoreException>(() => store.Backup(File)).Error);
-        Assert.Equal(Corrections, store.InState(CorrectionState.Archived).Count);
+        Assert.Equal(Corrections, store.Corrections.InState(CorrectionState.Archived).Count);
         Assert.DoesNotContain(Directory.EnumerateFiles(_folder), f => f.Contains("restore", StringComparison.Ordinal));
     }
 

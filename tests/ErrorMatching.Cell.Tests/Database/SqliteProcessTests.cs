@@ -29,7 +29,7 @@ public sealed class SqliteProcessTests : IDisposable
             using var store = CellStore.Open(new SqliteSettings(File), TimeProvider.System);
             Assert.Null(store.VerifyAudit());
             Assert.All(acknowledged, a => Assert.True(store.Find(a.Key)!.Version >= a.Value));
-            Assert.All(acknowledged, a => Assert.True(store.StepsOf(a.Key).Count == store.Find(a.Key)!.Version));
+            Assert.All(acknowledged, a => Assert.True(store.Corrections.StepsOf(a.Key).Count == store.Find(a.Key)!.Version));
 
             // Whatever is there beyond that is one step of which the answer did not come any more.
             var all = store.Search(new HistoryQuery { Most = int.MaxValue });
@@ -63,7 +63,7 @@ public sealed class SqliteProcessTests : IDisposable
         writer.Input.Close();
         writer.WaitForExit();
         Assert.Equal(Turns, store.AuditEntries(0, int.MaxValue).Count(e => e.What == "signed-in"));
-        Assert.Equal(Turns, store.InState(CorrectionState.Archived).Count);
+        Assert.Equal(Turns, store.Corrections.InState(CorrectionState.Archived).Count);
         Assert.Equal(1 + (2 * Turns), store.ChangeCount());
         Assert.Null(store.VerifyAudit());
     }

@@ -56,7 +56,7 @@ public sealed class EarlierStoreTests : IDisposable
                 "displaced by at most 0.0125 mm",
                 "policy: automatic within 0.05 mm",
             ],
-            Store.StepsOf(2).Select(s => s.Basis.Words));
+            Store.Corrections.StepsOf(2).Select(s => s.Basis.Words));
         Assert.Equal(
             "Correction 1 (one.csv, released) has the same measurement, job and program: a correction is applied once.",
             Store.Find(4)!.Reason!.Words);
@@ -71,9 +71,9 @@ public sealed class EarlierStoreTests : IDisposable
     {
         // By the policy, in English, before this version; by a setter whose role was given in English.
         var approved = Store.Find(2)!;
-        Store.DemandRecorded(approved);
+        Store.Outside.DemandRecorded(approved);
         var uploading = Store.Step(approved, CorrectionState.Uploading, "cell", Recorded.SlotEmpty.With());
-        Store.DemandRecorded(uploading);
+        Store.Outside.DemandRecorded(uploading);
         Store.Step(uploading, CorrectionState.Verified, "cell", Recorded.ReadBack.With());
         Assert.Equal(Role.Setter, new UserBook(Store, _clock, new PasswordHashes(10)).List().Single(u => u.Name == "Sam").Role);
         var finding = Evidence.Verify();

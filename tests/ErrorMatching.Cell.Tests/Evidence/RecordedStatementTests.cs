@@ -12,7 +12,7 @@ public sealed class RecordedStatementTests : PeopleTest
     {
         var unknown = Recorded.UnknownPiece.With("a.csv", "cmm", Recorded.AskedNobody.With());
         var correction = Step(Arrived(), CorrectionState.Refused, "cell", unknown);
-        var basis = Store.StepsOf(correction.Id)[^1].Basis;
+        var basis = Store.Corrections.StepsOf(correction.Id)[^1].Basis;
         Assert.Same(Recorded.UnknownPiece, basis.Form);
         Assert.Equal("\u001e[\"unknown-piece\",\"a.csv\",\"cmm\",[\"asked-nobody\"]]", basis.Text);
         Assert.Equal(basis, Store.Find(correction.Id)!.Reason);
@@ -35,7 +35,7 @@ public sealed class RecordedStatementTests : PeopleTest
     public void What_a_person_writes_stays_words_whatever_it_looks_like()
     {
         var correction = Step(Arrived(), CorrectionState.Refused, "Sam", Lookalike);
-        Assert.Equal(Lookalike, Store.StepsOf(correction.Id)[^1].Basis.Words);
+        Assert.Equal(Lookalike, Store.Corrections.StepsOf(correction.Id)[^1].Basis.Words);
         Assert.Equal(Lookalike, Store.Find(correction.Id)!.Reason!.Words);
         Store.Audit("Sam", "noted", Lookalike, Lookalike);
         var entry = Store.AuditEntries(0, 100)[^1];
@@ -49,7 +49,9 @@ public sealed class RecordedStatementTests : PeopleTest
         Anna();
         var approved = Step(Proposed(), CorrectionState.Approved, "cell", Lookalike);
         Assert.Contains(
-            "and names no policy", Assert.Throws<StoreException>(() => Store.DemandRecorded(approved)).Message, StringComparison.Ordinal);
+            "and names no policy",
+            Assert.Throws<StoreException>(() => Store.Outside.DemandRecorded(approved)).Message,
+            StringComparison.Ordinal);
         Assert.Equal(AuditFaultKind.NotAllowed, Verify().Fault?.Kind);
     }
 
@@ -57,7 +59,7 @@ public sealed class RecordedStatementTests : PeopleTest
     public void The_policy_approves_by_its_code()
     {
         var approved = Step(Proposed(), CorrectionState.Approved, "cell", Recorded.Policy.With());
-        Store.DemandRecorded(approved);
+        Store.Outside.DemandRecorded(approved);
         Assert.True(Verify().Holds, Verify().Message);
     }
 
@@ -65,7 +67,7 @@ public sealed class RecordedStatementTests : PeopleTest
     public void A_statement_that_is_too_long_is_cut_in_its_values_and_stays_one()
     {
         var correction = Step(Arrived(), CorrectionState.Refused, "cell", Recorded.NotComparable.With(new string('x', 20_000)));
-        var basis = Store.StepsOf(correction.Id)[^1].Basis;
+        var basis = Store.Corrections.StepsOf(correction.Id)[^1].Basis;
         Assert.Same(Recorded.NotComparable, basis.Form);
         Assert.InRange(basis.Text.Length, 3000, 8000);
         Store.Audit("cell", "noted", "", Recorded.Slot.With(new string('"', 2000), "mill"));

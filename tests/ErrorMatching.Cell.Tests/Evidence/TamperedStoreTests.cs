@@ -39,11 +39,11 @@ public sealed class TamperedStoreTests : PeopleTest
         var finding = Evidence.Verify();
         Assert.True(finding.Holds, finding.Message);
         Assert.Empty(Store.Tampered());
-        Store.DemandRecorded(_approved);
-        Store.DemandRecorded(_atMachine);
+        Store.Outside.DemandRecorded(_approved);
+        Store.Outside.DemandRecorded(_atMachine);
         var uploading = Step(Step(_atMachine, CorrectionState.Released, "Ben", "cut") with { }, CorrectionState.Reverted, "Sam", "chatter");
         Store.FreeSlot("mill", "1", uploading.Id, "Ben", "free");
-        Store.DemandRecorded(Step(_approved, CorrectionState.Uploading));
+        Store.Outside.DemandRecorded(Step(_approved, CorrectionState.Uploading));
         finding = Evidence.Verify();
         Assert.True(finding.Holds, finding.Message);
         Assert.Empty(Store.Tampered());
@@ -105,18 +105,22 @@ public sealed class TamperedStoreTests : PeopleTest
     public void What_somebody_else_wrote_is_found_and_not_sent(string sql, long correction, AuditFaultKind kind, string message,
         bool isQuick)
     {
-        Store.DemandRecorded(_approved);
+        Store.Outside.DemandRecorded(_approved);
         Tamper("INSERT INTO content (sha256, bytes) VALUES (@own, @bytes)", sql);
         var fault = Evidence.Verify().Fault;
         Assert.Equal(kind, fault?.Kind);
         Assert.Contains(message.Replace("@own", OwnSha256, StringComparison.Ordinal), fault!.Message, StringComparison.Ordinal);
         Assert.Equal(isQuick, Store.Tampered().Count > 0);
         if (correction == 0) return;
-        Assert.Equal(StoreError.Tampered, Assert.Throws<StoreException>(() => Store.DemandRecorded(AsTheWorkerReadsIt(correction))).Error);
+        Assert.Equal(
+            StoreError.Tampered,
+            Assert.Throws<StoreException>(() => Store.Outside.DemandRecorded(AsTheWorkerReadsIt(correction))).Error);
 
         // A process that begins later finds the same.
         using var later = CellStore.Open(new SqliteSettings(PathOf("cell.db")), Clock, Key);
-        Assert.Equal(StoreError.Tampered, Assert.Throws<StoreException>(() => later.DemandRecorded(AsTheWorkerReadsIt(correction))).Error);
+        Assert.Equal(
+            StoreError.Tampered,
+            Assert.Throws<StoreException>(() => later.Outside.DemandRecorded(AsTheWorkerReadsIt(correction))).Error);
         Assert.Equal(kind, new AuditTrail(later, Keys).Verify().Fault?.Kind);
     }
 
@@ -130,7 +134,7 @@ public sealed class TamperedStoreTests : PeopleTest
             + "reason, row_code FROM kept) WHERE id = 5");
         Assert.Equal(before, Store.Find(5));
         Assert.Empty(Store.Tampered());
-        Assert.Contains("is approved in the store", Assert.Throws<StoreException>(() => Store.DemandRecorded(before)).Message,
+        Assert.Contains("is approved in the store", Assert.Throws<StoreException>(() => Store.Outside.DemandRecorded(before)).Message,
             StringComparison.Ordinal);
         Assert.Equal(AuditFaultKind.RowDiffers, Evidence.Verify().Fault?.Kind);
     }
@@ -143,14 +147,14 @@ public sealed class TamperedStoreTests : PeopleTest
     public void An_approval_by_nobody_who_may_is_not_sent(string who, string why)
     {
         var approved = Step(_proposed, CorrectionState.Approved, who, "looks right");
-        Assert.Contains(why, Assert.Throws<StoreException>(() => Store.DemandRecorded(approved)).Message, StringComparison.Ordinal);
+        Assert.Contains(why, Assert.Throws<StoreException>(() => Store.Outside.DemandRecorded(approved)).Message, StringComparison.Ordinal);
         var fault = Evidence.Verify().Fault;
         Assert.Equal((AuditFaultKind.NotAllowed, Store.ChangeCount()), fault is null ? default : (fault.Kind, fault.Seq));
 
         // What else waits is not held up by it, and who is promoted later was not entitled then.
-        Store.DemandRecorded(_approved);
+        Store.Outside.DemandRecorded(_approved);
         if (who == "Ben") Users.SetRole(Anna(), "Ben", Role.Setter);
-        Assert.Contains(why, Assert.Throws<StoreException>(() => Store.DemandRecorded(approved)).Message, StringComparison.Ordinal);
+        Assert.Contains(why, Assert.Throws<StoreException>(() => Store.Outside.DemandRecorded(approved)).Message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -158,7 +162,7 @@ public sealed class TamperedStoreTests : PeopleTest
     {
         var approved = Step(_proposed, CorrectionState.Approved, "Sam", "seen");
         Users.SetRole(Anna(), "Sam", Role.Operator);
-        Store.DemandRecorded(approved);
+        Store.Outside.DemandRecorded(approved);
         Assert.True(Evidence.Verify().Holds);
     }
 
@@ -176,7 +180,7 @@ public sealed class TamperedStoreTests : PeopleTest
             string.Create(CultureInfo.InvariantCulture, $"UPDATE audit_head SET seq = {copied.Seq}, hash = '{copied.Hash}'"),
             "UPDATE correction SET state = 'approved', version = version + 1 WHERE id = 2");
         Assert.Contains("audit trail is not what was written",
-            Assert.Throws<StoreException>(() => Store.DemandRecorded(Store.Find(2)!)).Message, StringComparison.Ordinal);
+            Assert.Throws<StoreException>(() => Store.Outside.DemandRecorded(Store.Find(2)!)).Message, StringComparison.Ordinal);
         Assert.Equal(AuditFaultKind.Unsealed, Evidence.Verify().Fault?.Kind);
     }
 
@@ -184,24 +188,24 @@ public sealed class TamperedStoreTests : PeopleTest
     [InlineData(true), InlineData(false)]
     public void A_trail_without_its_end_sends_nothing(bool hasLooked)
     {
-        if (hasLooked) Store.DemandRecorded(_approved);
+        if (hasLooked) Store.Outside.DemandRecorded(_approved);
         var end = Store.AuditEntries(Store.AuditHead().Seq - 2, 1)[0];
         Tamper(
             "DROP TRIGGER audit_delete",
             string.Create(CultureInfo.InvariantCulture, $"DELETE FROM audit WHERE seq > {end.Seq}"),
             string.Create(CultureInfo.InvariantCulture, $"UPDATE audit_head SET seq = {end.Seq}, hash = '{end.Hash}'"),
             "UPDATE correction SET state = 'approved', version = version - 1 WHERE id = 4");
-        Assert.Equal(StoreError.Tampered, Assert.Throws<StoreException>(() => Store.DemandRecorded(Store.Find(4)!)).Error);
+        Assert.Equal(StoreError.Tampered, Assert.Throws<StoreException>(() => Store.Outside.DemandRecorded(Store.Find(4)!)).Error);
         Assert.Equal(AuditFaultKind.Unsealed, Evidence.Verify().Fault?.Kind);
     }
 
     [Fact]
     public void A_store_that_is_set_back_as_a_whole_is_found_whatever_checkpoint_it_has()
     {
-        Store.KeepCheckpoint(TestContext.Current.CancellationToken, 0);
+        Store.Outside.KeepCheckpoint(TestContext.Current.CancellationToken, 0);
         Store.Backup(PathOf("earlier.db"));
         Step(_approved, CorrectionState.Rejected, "Ben", "dirty");
-        Store.KeepCheckpoint(TestContext.Current.CancellationToken, 0);
+        Store.Outside.KeepCheckpoint(TestContext.Current.CancellationToken, 0);
         Evidence.Remember();
         var later = Store.Database.Snapshot((connection, transaction) => AuditCheckpoint.Find(connection, transaction, Key).Found)!;
 
@@ -212,8 +216,8 @@ public sealed class TamperedStoreTests : PeopleTest
             checkpoint?.Keep(earlier.Database, Key);
             Assert.Equal(AuditFaultKind.Removed, new AuditTrail(earlier, Keys).EndFault()?.Kind);
             Assert.Equal(AuditFaultKind.Removed, new AuditTrail(earlier, Keys).Verify().Fault?.Kind);
-            earlier.DemandRecorded(_approved);
-            Assert.Equal(checkpoint is not null, earlier.WhyWholeTrail?.Is(RecordedCheckpoint.Astray) == true);
+            earlier.Outside.DemandRecorded(_approved);
+            Assert.Equal(checkpoint is not null, earlier.Outside.WhyWhole?.Is(RecordedCheckpoint.Astray) == true);
         }
     }
 
@@ -223,14 +227,14 @@ public sealed class TamperedStoreTests : PeopleTest
     [InlineData("UPDATE audit_checkpoint SET seq = 'none'")]
     public void A_checkpoint_that_somebody_else_wrote_is_a_fault_of_the_store(string sql)
     {
-        Store.KeepCheckpoint(TestContext.Current.CancellationToken, 0);
+        Store.Outside.KeepCheckpoint(TestContext.Current.CancellationToken, 0);
         Assert.True(Evidence.Verify().Holds);
         Tamper(sql);
         var fault = Evidence.Verify().Fault;
         Assert.True(fault?.Statement.Is(RecordedCheckpoint.Foreign), fault?.Message);
         using var later = CellStore.Open(new SqliteSettings(PathOf("cell.db")), Clock, Key);
-        later.DemandRecorded(_approved);
-        Assert.True(later.WhyWholeTrail?.Is(RecordedCheckpoint.Foreign));
+        later.Outside.DemandRecorded(_approved);
+        Assert.True(later.Outside.WhyWhole?.Is(RecordedCheckpoint.Foreign));
     }
 
     [Fact]
@@ -323,10 +327,10 @@ public sealed class TamperedStoreTests : PeopleTest
         var approved = store.Find(3)!;
         if (sql is null)
         {
-            store.DemandRecorded(approved);
+            store.Outside.DemandRecorded(approved);
             Execute(store.Database, "UPDATE correction SET slot = '2', row_code = NULL WHERE id = 3");
             using var again = CellStore.Open(new SqliteSettings(PathOf("earlier.db")), Clock, Key);
-            Assert.Equal(StoreError.Tampered, Assert.Throws<StoreException>(() => again.DemandRecorded(again.Find(3)!)).Error);
+            Assert.Equal(StoreError.Tampered, Assert.Throws<StoreException>(() => again.Outside.DemandRecorded(again.Find(3)!)).Error);
         }
     }
 

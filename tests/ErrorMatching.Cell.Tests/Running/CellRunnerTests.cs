@@ -77,7 +77,7 @@ public sealed class CellRunnerTests
         await cell.Until(1, CorrectionState.Released);
         await RunningCell.Until(() => !cell.Machine["m1"].Files.ContainsKey("B.READY"));
         Assert.Null(cell.Store.Slot("m1", "B").Correction);
-        Assert.Contains("B.READY", cell.Store.StepsOf(1)[^1].Basis.Sentence, StringComparison.Ordinal);
+        Assert.Contains("B.READY", cell.Store.Corrections.StepsOf(1)[^1].Basis.Sentence, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -105,7 +105,7 @@ public sealed class CellRunnerTests
         using var elsewhere = cell.Open();
         new CorrectionDecisions(elsewhere).Approve(1, "sam", "looks right");
         await cell.Until(1, CorrectionState.Verified);
-        Assert.Contains(("sam", "looks right"), cell.Store.StepsOf(1).Select(s => (s.By, s.Basis.Sentence)));
+        Assert.Contains(("sam", "looks right"), cell.Store.Corrections.StepsOf(1).Select(s => (s.By, s.Basis.Sentence)));
     }
 
     [Fact]
@@ -115,7 +115,7 @@ public sealed class CellRunnerTests
         cell.Start();
         cell.Drop("a_S1.csv", 1);
         cell.Drop("a_S2.csv", 2);
-        await RunningCell.Until(() => cell.Store.InState(CorrectionState.Proposed).Count == 2);
+        await RunningCell.Until(() => cell.Store.Corrections.InState(CorrectionState.Proposed).Count == 2);
         using var elsewhere = cell.Open();
         var decisions = new CorrectionDecisions(elsewhere);
         decisions.Approve(2, "sam", null);
@@ -250,9 +250,9 @@ public sealed class CellRunnerTests
         }
 
         await RunningCell.Until(
-            () => cell.Store.InState(CorrectionState.Verified).Count == 3,
+            () => cell.Store.Corrections.InState(CorrectionState.Verified).Count == 3,
             () => string.Join("\n", Enumerable.Range(1, 6).Select(i => cell.Store.Find(i))));
-        await RunningCell.Until(() => cell.Store.InState(CorrectionState.Approved).Count == 3);
+        await RunningCell.Until(() => cell.Store.Corrections.InState(CorrectionState.Approved).Count == 3);
         Assert.All(Enumerable.Range(1, 6), id => Assert.Equal(cell.Way(id).Distinct(), cell.Way(id)));
         Assert.Equal(2, cell.Machine["m1"].Done.Count(d => d.StartsWith("rename P", StringComparison.Ordinal)));
         Assert.Single(cell.Machine["m2"].Done, d => d.StartsWith("rename P", StringComparison.Ordinal));

@@ -32,7 +32,7 @@ public sealed class DeliveryWaitTests
         state = Free;
         await cell.Until(1, CorrectionState.Verified);
         await RunningCell.Until(() => Status(cell).Slots[0] is { Delivery: null, Report.State.Activity: MachineActivity.Idle });
-        Assert.Equal("read back from the machine, the same to the last bit", cell.Store.StepsOf(1)[^1].Basis.Sentence);
+        Assert.Equal("read back from the machine, the same to the last bit", cell.Store.Corrections.StepsOf(1)[^1].Basis.Sentence);
     }
 
     [Fact]

@@ -22,7 +22,8 @@ public sealed class ProposingTests
         cell.Policy = """{ "approve": "automatic", "limitMm": 0.5 }""";
         cell.Start();
         await cell.Until(1, CorrectionState.Verified);
-        Assert.Contains(("cell", "policy: automatic within 0.5 mm"), cell.Store.StepsOf(1).Select(s => (s.By, s.Basis.Sentence)));
+        Assert.Contains(
+            ("cell", "policy: automatic within 0.5 mm"), cell.Store.Corrections.StepsOf(1).Select(s => (s.By, s.Basis.Sentence)));
     }
 
     // The pair wants a gap along L1, which the compensation closes: its points stay outside their limits.
@@ -43,7 +44,7 @@ public sealed class ProposingTests
         Assert.Equal(CorrectionState.Proposed, cell.Store.Find(1)!.State);
         Assert.Contains(
             "Its verdict does not say to cut it: a person decides.",
-            cell.Store.StepsOf(1).Single(s => s.To == CorrectionState.Proposed).Basis.Sentence,
+            cell.Store.Corrections.StepsOf(1).Single(s => s.To == CorrectionState.Proposed).Basis.Sentence,
             StringComparison.Ordinal);
     }
 

@@ -67,7 +67,7 @@ public sealed class RecalculationTests
         new CorrectionDecisions(cell.Store).Release(1, "olga", null);
 
         // Before anybody has looked at it, it holds its place already.
-        Assert.Equal([4L, 3L], cell.Store.Line("m1", "A").Select(c => c.Id));
+        Assert.Equal([4L, 3L], cell.Store.Corrections.Line("m1", "A").Select(c => c.Id));
         cell.Start();
         var sent = await cell.Until(4, CorrectionState.Verified);
         Assert.Equal(await ProgramOfChangedJob(2), sent.ProgramSha256);

@@ -228,7 +228,7 @@ internal sealed class RunningCell : IAsyncDisposable
     }
 
     /// <summary>The states that a correction went through.</summary>
-    public IEnumerable<CorrectionState> Way(long id) => Store.StepsOf(id).Select(s => s.To);
+    public IEnumerable<CorrectionState> Way(long id) => Store.Corrections.StepsOf(id).Select(s => s.To);
 
     public static string Hash(byte[] bytes) => Convert.ToHexStringLower(SHA256.HashData(bytes));
 

@@ -98,8 +98,8 @@ public sealed class TamperedCellTests
 
         // The one that it made instead holds.
         using var next = cell.Open();
-        next.DemandRecorded(next.Find(1)!);
-        Assert.Null(next.WhyWholeTrail);
+        next.Outside.DemandRecorded(next.Find(1)!);
+        Assert.Null(next.Outside.WhyWhole);
     }
 
     private static IReadOnlyList<CellTrouble> TroublesOf(RunningCell cell) => Heartbeat.Read(cell.PathOf("logs"))?.Troubles ?? [];

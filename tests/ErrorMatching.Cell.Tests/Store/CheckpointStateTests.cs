@@ -8,9 +8,9 @@ public sealed class CheckpointStateTests() : CheckpointTest(new SqliteKind())
     {
         var (approved, _) = Filled();
         using var later = NewProcess();
-        later.DemandRecorded(approved);
-        for (var i = 0; i < 20; i++) Assert.Null(later.LookBehindCheckpoint(7));
-        later.DemandRecorded(approved);
+        later.Outside.DemandRecorded(approved);
+        for (var i = 0; i < 20; i++) Assert.Null(later.Outside.LookBehind(7));
+        later.Outside.DemandRecorded(approved);
     }
 
     [Fact]
@@ -19,8 +19,8 @@ public sealed class CheckpointStateTests() : CheckpointTest(new SqliteKind())
         var (approved, _) = Filled();
         using var later = NewProcess();
         Kept(later).Keep(later.Database, [.. AuditKey.Reverse()]);
-        later.DemandRecorded(approved);
-        Assert.True(later.WhyWholeTrail?.Is(RecordedCheckpoint.Foreign));
+        later.Outside.DemandRecorded(approved);
+        Assert.True(later.Outside.WhyWhole?.Is(RecordedCheckpoint.Foreign));
     }
 
     [Fact]
@@ -33,8 +33,8 @@ public sealed class CheckpointStateTests() : CheckpointTest(new SqliteKind())
         var other = kept with { State = kept.State.Replace(build, Guid.NewGuid().ToString(), StringComparison.Ordinal) };
         Assert.NotEqual(kept, other);
         other.Keep(later.Database, AuditKey);
-        later.DemandRecorded(approved);
-        Assert.True(later.WhyWholeTrail?.Is(RecordedCheckpoint.OfOtherBuild));
+        later.Outside.DemandRecorded(approved);
+        Assert.True(later.Outside.WhyWhole?.Is(RecordedCheckpoint.OfOtherBuild));
         Assert.Null(FaultOfCheckpoint(later));
     }
 
@@ -45,11 +45,11 @@ public sealed class CheckpointStateTests() : CheckpointTest(new SqliteKind())
         using var other = CellStore.Open(Kind.NewSettings(), Clock, AuditKey);
         Fill(other);
         other.Audit("cell", "noted", "something else");
-        other.KeepCheckpoint(Stop, 1);
+        other.Outside.KeepCheckpoint(Stop, 1);
         using var later = NewProcess();
         Kept(other).Keep(later.Database, AuditKey);
-        later.DemandRecorded(approved);
-        Assert.True(later.WhyWholeTrail?.Is(RecordedCheckpoint.Astray), later.WhyWholeTrail?.Sentence);
+        later.Outside.DemandRecorded(approved);
+        Assert.True(later.Outside.WhyWhole?.Is(RecordedCheckpoint.Astray), later.Outside.WhyWhole?.Sentence);
         Assert.True(FaultOfCheckpoint(later)?.Statement.Is(RecordedCheckpoint.Astray));
     }
 
@@ -59,10 +59,10 @@ public sealed class CheckpointStateTests() : CheckpointTest(new SqliteKind())
         var (_, proposed) = Filled();
         using var store = NewProcess();
         var approved = store.Step(proposed, CorrectionState.Approved, "eve", "looks right");
-        store.KeepCheckpoint(Stop, 0);
+        store.Outside.KeepCheckpoint(Stop, 0);
         using var later = NewProcess();
         Assert.Contains("who was no user then", Refused(later, approved), StringComparison.Ordinal);
-        Assert.Null(later.WhyWholeTrail);
+        Assert.Null(later.Outside.WhyWhole);
     }
 
     [Fact]
@@ -73,13 +73,13 @@ public sealed class CheckpointStateTests() : CheckpointTest(new SqliteKind())
         var users = new UserBook(store, Clock, new PasswordHashes(10));
         users.AddFirst("Anna", "correct horse battery");
         users.Add(users.SignIn("Anna", "correct horse battery"), "Ben", Role.Operator, "staple of the ox");
-        store.KeepCheckpoint(Stop, 0);
+        store.Outside.KeepCheckpoint(Stop, 0);
         using var later = NewProcess();
         var approved = later.Step(proposed, CorrectionState.Approved, "Anna", "looks right");
-        later.DemandRecorded(approved);
+        later.Outside.DemandRecorded(approved);
         approved = later.Step(later.Step(approved, CorrectionState.Uploading, "cell", "in line"), CorrectionState.Approved, "Ben", "again");
         Assert.Contains("who was operator then", Refused(later, approved), StringComparison.Ordinal);
-        Assert.Null(later.WhyWholeTrail);
+        Assert.Null(later.Outside.WhyWhole);
     }
 
     [Fact]
@@ -87,20 +87,20 @@ public sealed class CheckpointStateTests() : CheckpointTest(new SqliteKind())
     {
         using var store = NewProcess();
         var released = Enumerable.Range(0, 5).Select(i => Sent(store, $"piece {i}")).ToArray();
-        store.KeepCheckpoint(Stop, 0);
+        store.Outside.KeepCheckpoint(Stop, 0);
         var state = Kept(store).State;
         Assert.Equal([5L], released.Where(c => state.Contains(c.ProgramSha256!, StringComparison.Ordinal)).Select(c => c.Id));
         using var later = NewProcess();
-        later.DemandRecorded(released[4]);
-        later.DemandRecorded(released[1]);
+        later.Outside.DemandRecorded(released[4]);
+        later.Outside.DemandRecorded(released[1]);
 
         // A step of one that was forgotten: the trail is read again, and says what it always says.
         using var again = NewProcess();
-        again.DemandRecorded(released[4]);
+        again.Outside.DemandRecorded(released[4]);
         var reverted = again.Step(released[4], CorrectionState.Reverted, "cell", "chatter");
         again.FreeSlot("mill", "1", 5, "cell", "free");
         Assert.Equal(CorrectionState.Reverted, reverted.State);
-        again.KeepCheckpoint(Stop, 0);
+        again.Outside.KeepCheckpoint(Stop, 0);
         Assert.DoesNotContain(released[4].ProgramSha256!, Kept(again).State, StringComparison.Ordinal);
         IsWhole(again);
     }
@@ -120,13 +120,13 @@ public sealed class CheckpointStateTests() : CheckpointTest(new SqliteKind())
             {
                 Act(store, random, i);
                 if (random.Next(9) > 0) continue;
-                store.KeepCheckpoint(Stop, 0);
+                store.Outside.KeepCheckpoint(Stop, 0);
                 store.Dispose();
                 store = NewProcess();
             }
 
-            store.KeepCheckpoint(Stop, 0);
-            Assert.Null(store.WhyWholeTrail);
+            store.Outside.KeepCheckpoint(Stop, 0);
+            Assert.Null(store.Outside.WhyWhole);
             IsWhole(store);
         }
         finally
@@ -140,17 +140,17 @@ public sealed class CheckpointStateTests() : CheckpointTest(new SqliteKind())
     {
         using var store = NewProcess();
         Note(store, OutsideChanges.Rhythm - 2);
-        store.KeepCheckpoint(Stop);
+        store.Outside.KeepCheckpoint(Stop);
         Assert.Equal(0, Count(store));
         Note(store, 1);
-        store.KeepCheckpoint(Stop);
+        store.Outside.KeepCheckpoint(Stop);
         var first = Kept(store);
         Assert.Equal(OutsideChanges.Rhythm, first.Seq);
         Note(store, OutsideChanges.Rhythm - 1);
-        store.KeepCheckpoint(Stop);
+        store.Outside.KeepCheckpoint(Stop);
         Assert.Equal(first, Kept(store));
         Note(store, 1);
-        store.KeepCheckpoint(Stop);
+        store.Outside.KeepCheckpoint(Stop);
         Assert.Equal(2 * OutsideChanges.Rhythm, Kept(store).Seq);
     }
 
@@ -158,7 +158,7 @@ public sealed class CheckpointStateTests() : CheckpointTest(new SqliteKind())
     public void A_store_of_which_nobody_has_the_key_gets_no_checkpoint()
     {
         using var store = CellStore.Open(Settings, Clock);
-        store.KeepCheckpoint(Stop, 0);
+        store.Outside.KeepCheckpoint(Stop, 0);
         Assert.Equal(0, Count(store));
     }
 
@@ -168,9 +168,9 @@ public sealed class CheckpointStateTests() : CheckpointTest(new SqliteKind())
         using var store = NewProcess();
         Note(store, 3000);
         using var later = NewProcess();
-        Assert.Throws<OperationCanceledException>(() => later.KeepCheckpoint(new(true), 0));
+        Assert.Throws<OperationCanceledException>(() => later.Outside.KeepCheckpoint(new(true), 0));
         Assert.Equal(0, Count(later));
-        later.KeepCheckpoint(Stop, 0);
+        later.Outside.KeepCheckpoint(Stop, 0);
         IsWhole(later);
     }
 

@@ -18,7 +18,7 @@ public abstract class CheckpointTest(StoreKind kind) : StoreTest(kind)
     {
         using var store = NewProcess();
         var filled = Fill(store);
-        store.KeepCheckpoint(Stop, 1);
+        store.Outside.KeepCheckpoint(Stop, 1);
         Assert.Equal(1, Count(store));
         return filled;
     }
@@ -52,7 +52,7 @@ public abstract class CheckpointTest(StoreKind kind) : StoreTest(kind)
 
     private protected static string Refused(CellStore store, Correction correction)
     {
-        var refusal = Assert.Throws<StoreException>(() => store.DemandRecorded(correction));
+        var refusal = Assert.Throws<StoreException>(() => store.Outside.DemandRecorded(correction));
         Assert.Equal(StoreError.Tampered, refusal.Error);
         return refusal.Message;
     }

@@ -14,7 +14,7 @@ public abstract class StoreCheckpointTests(StoreKind kind) : CheckpointTest(kind
         using (var first = NewProcess()) ChangeOldEntry(first);
         using var later = NewProcess();
         Assert.Contains("The database is not as the cell made it", Refused(later, approved), StringComparison.Ordinal);
-        Assert.Null(later.WhyWholeTrail);
+        Assert.Null(later.Outside.WhyWhole);
 
         Tamper(later, "DELETE FROM audit_checkpoint");
         using var whole = NewProcess();
@@ -28,14 +28,14 @@ public abstract class StoreCheckpointTests(StoreKind kind) : CheckpointTest(kind
         using (var first = NewProcess()) ChangeOldEntry(first);
         using var later = NewProcess();
         Refused(later, approved);
-        Assert.Null(later.LookBehindCheckpoint(1));
-        var found = later.LookBehindCheckpoint(1);
+        Assert.Null(later.Outside.LookBehind(1));
+        var found = later.Outside.LookBehind(1);
         Assert.Contains("not what was written, at entry 2", found?.Sentence, StringComparison.Ordinal);
-        Assert.Equal(found, later.LookBehindCheckpoint(1));
+        Assert.Equal(found, later.Outside.LookBehind(1));
         Assert.Contains("not what was written, at entry 2", Refused(later, approved), StringComparison.Ordinal);
 
         // It makes no new checkpoint, and the next process reads the whole trail.
-        later.KeepCheckpoint(Stop, 0);
+        later.Outside.KeepCheckpoint(Stop, 0);
         using var next = NewProcess();
         Assert.Contains("not what was written, at entry 2", Refused(next, approved), StringComparison.Ordinal);
     }
@@ -51,8 +51,8 @@ public abstract class StoreCheckpointTests(StoreKind kind) : CheckpointTest(kind
         using var later = NewProcess();
         Tamper(later, "INSERT INTO content (sha256, bytes) VALUES (@own, @bytes)",
             "UPDATE correction SET state = 'approved', version = version + 1 WHERE id = 2", sql);
-        later.DemandRecorded(approved);
-        Assert.True(later.WhyWholeTrail?.Is(RecordedCheckpoint.Foreign), later.WhyWholeTrail?.Sentence);
+        later.Outside.DemandRecorded(approved);
+        Assert.True(later.Outside.WhyWhole?.Is(RecordedCheckpoint.Foreign), later.Outside.WhyWhole?.Sentence);
         Assert.Contains("is approved in the store", Refused(later, later.Find(proposed.Id)!), StringComparison.Ordinal);
 
         Tamper(later, "UPDATE correction SET state = 'proposed', version = version - 1 WHERE id = 2");
@@ -60,11 +60,11 @@ public abstract class StoreCheckpointTests(StoreKind kind) : CheckpointTest(kind
             ? (fault.Kind, fault.Statement.Is(RecordedCheckpoint.Foreign)) : default);
 
         // The next one that the cell makes holds again.
-        later.KeepCheckpoint(Stop, 0);
+        later.Outside.KeepCheckpoint(Stop, 0);
         Assert.Null(FaultOfCheckpoint(later));
         using var next = NewProcess();
-        next.DemandRecorded(approved);
-        Assert.Null(next.WhyWholeTrail);
+        next.Outside.DemandRecorded(approved);
+        Assert.Null(next.Outside.WhyWhole);
     }
 
     [Fact]
@@ -74,7 +74,7 @@ public abstract class StoreCheckpointTests(StoreKind kind) : CheckpointTest(kind
         using var store = NewProcess();
         var (then, code) = (Kept(store), store.Read("SELECT row_code FROM correction WHERE id = 1", r => r.GetString(0))[0]);
         store.Step(approved, CorrectionState.Rejected, "cell", "dirty");
-        store.KeepCheckpoint(Stop, 0);
+        store.Outside.KeepCheckpoint(Stop, 0);
         Assert.NotEqual(then, Kept(store));
         then.Keep(store.Database, AuditKey);
         Tamper(store, $"UPDATE correction SET state = 'approved', version = version - 1, changed_at = "
@@ -82,7 +82,7 @@ public abstract class StoreCheckpointTests(StoreKind kind) : CheckpointTest(kind
         using var later = NewProcess();
         Assert.Equal(approved, later.Find(1));
         Assert.Contains("is approved in the store", Refused(later, approved), StringComparison.Ordinal);
-        Assert.Null(later.WhyWholeTrail);
+        Assert.Null(later.Outside.WhyWhole);
     }
 
     [Fact]
@@ -92,11 +92,11 @@ public abstract class StoreCheckpointTests(StoreKind kind) : CheckpointTest(kind
         using var store = NewProcess();
         var then = store.AuditHead();
         store.Step(proposed, CorrectionState.Approved, "cell", Policy);
-        store.KeepCheckpoint(Stop, 0);
+        store.Outside.KeepCheckpoint(Stop, 0);
         Tamper(store, Kind.RemoveTriggersSql, $"DELETE FROM audit WHERE seq > {CodedRow.Number(then.Seq)}",
             $"UPDATE audit_head SET seq = {CodedRow.Number(then.Seq)}, hash = '{then.Hash}', seal = '{then.Seal}'");
         using var later = NewProcess();
         Refused(later, later.Find(2)!);
-        Assert.True(later.WhyWholeTrail?.Is(RecordedCheckpoint.Astray));
+        Assert.True(later.Outside.WhyWhole?.Is(RecordedCheckpoint.Astray));
     }
 }

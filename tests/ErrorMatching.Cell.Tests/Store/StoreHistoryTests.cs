@@ -114,9 +114,9 @@ public abstract class StoreHistoryTests(StoreKind kind) : StoreTest(kind)
         var store = Open();
         var (first, second, third) = (
             Approve(store, "one", "1"), store.Archive(Arrival("two", "2")).Correction, Approve(store, "three", "3"));
-        Assert.Equal([first, third], store.InState(CorrectionState.Approved));
-        Assert.Equal([first, second, third], store.InState(CorrectionState.Archived, CorrectionState.Approved));
-        Assert.Empty(store.InState());
+        Assert.Equal([first, third], store.Corrections.InState(CorrectionState.Approved));
+        Assert.Equal([first, second, third], store.Corrections.InState(CorrectionState.Archived, CorrectionState.Approved));
+        Assert.Empty(store.Corrections.InState());
     }
 
     [Fact]
@@ -131,7 +131,7 @@ public abstract class StoreHistoryTests(StoreKind kind) : StoreTest(kind)
             (correction.State, correction.Code, correction.Reason, correction.MeasurementBytes));
         Assert.Equal(correction, store.Find(correction.Id));
         Assert.Equal((correction, false), store.ArchiveUnread(arrival));
-        Assert.Equal([(null, CorrectionState.Refused)], store.StepsOf(correction.Id).Select(s => (s.From, s.To)));
+        Assert.Equal([(null, CorrectionState.Refused)], store.Corrections.StepsOf(correction.Id).Select(s => (s.From, s.To)));
         Assert.Equal(StoreError.Missing, Assert.Throws<StoreException>(() => store.Content(correction.MeasurementSha256)).Error);
     }
 
@@ -246,7 +246,7 @@ public abstract class StoreHistoryTests(StoreKind kind) : StoreTest(kind)
         var second = store.Archive(Arrival("two", "2")).Correction;
         second = Recognize(store, second, "A-2");
         Assert.Equal(Clock.Now, second.ChangedAt);
-        Assert.Equal([first], store.InState(CorrectionState.Archived));
+        Assert.Equal([first], store.Corrections.InState(CorrectionState.Archived));
         Assert.Equal([second, first], store.Search(new HistoryQuery()));
         Assert.Equal(["created", "archived", "clock", "archived", "recognized"], store.AuditEntries(0, 10).Select(e => e.What));
         Assert.Equal(
@@ -280,7 +280,7 @@ public abstract class StoreHistoryTests(StoreKind kind) : StoreTest(kind)
             c => c with { Serial = new string('\u20AC', 5000), Reason = "\uDE00" });
         Assert.Equal(after, store.Find(correction.Id));
         Assert.Equal((800, "\uFFFD"), (after.Serial!.Length, after.Reason));
-        Assert.Equal("half a \uFFFD character", store.StepsOf(correction.Id)[1].Basis);
+        Assert.Equal("half a \uFFFD character", store.Corrections.StepsOf(correction.Id)[1].Basis);
         Assert.Equal([after], store.Search(new HistoryQuery { Serial = new string('\u20AC', 5000) }));
         Assert.Equal([after], store.Search(new HistoryQuery { User = "an\0na" }));
         Assert.Null(store.VerifyAudit());

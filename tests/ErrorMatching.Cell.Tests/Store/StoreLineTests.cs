@@ -13,16 +13,16 @@ public abstract class StoreLineTests(StoreKind kind) : StoreTest(kind)
         var known = Recognize(store, store.Archive(Arrival("three", "3")).Correction, "A-3");
         var approved = Approve(store, "four", "G4");
         store.Step(Recognize(store, store.Archive(Arrival("five", "5")).Correction, "A-5"), CorrectionState.Failed, "cell", "no file");
-        Assert.Equal([failed.Id, known.Id, approved.Id], store.Line("mill", "1").Select(c => c.Id));
-        Assert.Empty(store.Line("mill", "2"));
-        Assert.Equal(cut.Id, store.LastSent("job", null)!.Id);
-        Assert.Equal(cut.Id, store.LastSent("job", cut.Serial)!.Id);
-        Assert.Null(store.LastSent("job", "A-5"));
-        Assert.Null(store.LastSent("other", null));
-        Assert.Equal(known.Id, store.LastPart("job", null, null)!.Id);
-        Assert.Equal(known.Id, store.LastPart("job", "A-3", "WO-1")!.Id);
-        Assert.Null(store.LastPart("job", "A-3", "WO-2"));
-        Assert.Equal([known.Id], store.OfMeasurement(known.MeasurementSha256).Select(c => c.Id));
+        Assert.Equal([failed.Id, known.Id, approved.Id], store.Corrections.Line("mill", "1").Select(c => c.Id));
+        Assert.Empty(store.Corrections.Line("mill", "2"));
+        Assert.Equal(cut.Id, store.Corrections.LastSent("job", null)!.Id);
+        Assert.Equal(cut.Id, store.Corrections.LastSent("job", cut.Serial)!.Id);
+        Assert.Null(store.Corrections.LastSent("job", "A-5"));
+        Assert.Null(store.Corrections.LastSent("other", null));
+        Assert.Equal(known.Id, store.Corrections.LastPart("job", null, null)!.Id);
+        Assert.Equal(known.Id, store.Corrections.LastPart("job", "A-3", "WO-1")!.Id);
+        Assert.Null(store.Corrections.LastPart("job", "A-3", "WO-2"));
+        Assert.Equal([known.Id], store.Corrections.OfMeasurement(known.MeasurementSha256).Select(c => c.Id));
     }
 
     [Fact]
@@ -32,12 +32,12 @@ public abstract class StoreLineTests(StoreKind kind) : StoreTest(kind)
         Assert.Null(FirstInLine());
         Approve(store, "elsewhere", "G0");
         var ids = Enumerable.Range(1, 5).Select(i => Approve(store, $"file {i}", $"H{i}").Id).ToArray();
-        Assert.Equal(FirstInLine()!.Id, store.Line("mill", "1")[0].Id);
+        Assert.Equal(FirstInLine()!.Id, store.Corrections.Line("mill", "1")[0].Id);
 
         // The third, then the first is recalculated: each keeps its place.
         store.Recalculate(store.Find(ids[2])!, "anna", null);
         FirstInLine();
-        var again = store.Recalculate(store.Line("mill", "1")[0], "anna", null);
+        var again = store.Recalculate(store.Corrections.Line("mill", "1")[0], "anna", null);
         Assert.Equal(again.Id, FirstInLine()!.Id);
         var failed = store.Step(Recognize(store, again, "A-9"), CorrectionState.Failed, "cell", "no file");
         Assert.NotEqual(failed.Id, FirstInLine()!.Id);
@@ -45,8 +45,8 @@ public abstract class StoreLineTests(StoreKind kind) : StoreTest(kind)
 
         Correction? FirstInLine()
         {
-            var first = store.FirstInLine("mill", "1");
-            Assert.Equal(store.Line("mill", "1") is [var expected, ..] ? expected.Id : null, first?.Id);
+            var first = store.Corrections.FirstInLine("mill", "1");
+            Assert.Equal(store.Corrections.Line("mill", "1") is [var expected, ..] ? expected.Id : null, first?.Id);
             return first;
         }
 
@@ -59,13 +59,13 @@ public abstract class StoreLineTests(StoreKind kind) : StoreTest(kind)
     {
         var store = Open();
         var (one, two) = (store.Archive(Arrival("one", "1")).Correction, store.Archive(Arrival("two", "2")).Correction);
-        Assert.Equal([one.Id, two.Id], store.First(CorrectionState.Archived, 10).Select(c => c.Id));
-        Assert.Equal([one.Id], store.First(CorrectionState.Archived, 1, ["other", "gauge"]).Select(c => c.Id));
-        Assert.Empty(store.First(CorrectionState.Archived, 10, ["other"]));
-        Assert.Empty(store.First(CorrectionState.Archived, 10, []));
+        Assert.Equal([one.Id, two.Id], store.Corrections.First(CorrectionState.Archived, 10).Select(c => c.Id));
+        Assert.Equal([one.Id], store.Corrections.First(CorrectionState.Archived, 1, ["other", "gauge"]).Select(c => c.Id));
+        Assert.Empty(store.Corrections.First(CorrectionState.Archived, 10, ["other"]));
+        Assert.Empty(store.Corrections.First(CorrectionState.Archived, 10, []));
         Recognize(store, two, "A-2");
-        Assert.Equal([two.Id], store.First(CorrectionState.Recognized, 10, jobs: ["job", "other"]).Select(c => c.Id));
-        Assert.Empty(store.First(CorrectionState.Recognized, 10, ["gauge"], ["other"]));
+        Assert.Equal([two.Id], store.Corrections.First(CorrectionState.Recognized, 10, jobs: ["job", "other"]).Select(c => c.Id));
+        Assert.Empty(store.Corrections.First(CorrectionState.Recognized, 10, ["gauge"], ["other"]));
     }
 
     [Fact]
@@ -87,9 +87,9 @@ public abstract class StoreLineTests(StoreKind kind) : StoreTest(kind)
         }
 
         Recognize(store, store.Archive(Arrival("four", "4")).Correction, "A-4");
-        Assert.Equal(ids.AsEnumerable().Reverse(), store.Reported(["job", "other"], 10).Select(c => c.Id));
-        Assert.Equal([ids[2], ids[1]], store.Reported(["job"], 2).Select(c => c.Id));
-        Assert.Empty(store.Reported(["other"], 10));
-        Assert.Empty(store.Reported([], 10));
+        Assert.Equal(ids.AsEnumerable().Reverse(), store.Corrections.Reported(["job", "other"], 10).Select(c => c.Id));
+        Assert.Equal([ids[2], ids[1]], store.Corrections.Reported(["job"], 2).Select(c => c.Id));
+        Assert.Empty(store.Corrections.Reported(["other"], 10));
+        Assert.Empty(store.Corrections.Reported([], 10));
     }
 }

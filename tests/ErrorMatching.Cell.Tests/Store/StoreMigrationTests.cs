@@ -52,7 +52,7 @@ public abstract class StoreMigrationTests(StoreKind kind) : StoreTest(kind)
 
                 Assert.Equal(
                     [(1L, CorrectionState.Archived), (2L, CorrectionState.Verified)],
-                    store.InState(Enum.GetValues<CorrectionState>()).Select(c => (c.Id, c.State)));
+                    store.Corrections.InState(Enum.GetValues<CorrectionState>()).Select(c => (c.Id, c.State)));
                 Assert.Equal(new SlotHolding("mill", "1", 2, "bb", null), store.Slot("mill", "1"));
                 store.Step(store.Find(2)!, CorrectionState.Released, "anna", "cut");
                 Assert.Null(store.VerifyAudit());

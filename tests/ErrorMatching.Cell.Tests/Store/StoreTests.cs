@@ -25,7 +25,7 @@ public abstract class StoreTests(StoreKind kind) : StoreTest(kind)
             [
                 new CorrectionStep(
                     correction.Id, null, CorrectionState.Archived, Clock.Now, "cell", Recorded.Arrived.With("gauge", "one.csv"))],
-            store.StepsOf(correction.Id));
+            store.Corrections.StepsOf(correction.Id));
     }
 
     [Fact]
@@ -37,7 +37,7 @@ public abstract class StoreTests(StoreKind kind) : StoreTest(kind)
         var second = store.Archive(Arrival("two", "1"));
         Assert.True(second.IsNew);
         Assert.True(second.Correction.Id > first.Id);
-        Assert.Equal(2, store.InState(CorrectionState.Archived).Count);
+        Assert.Equal(2, store.Corrections.InState(CorrectionState.Archived).Count);
     }
 
     [Fact]
@@ -65,7 +65,9 @@ public abstract class StoreTests(StoreKind kind) : StoreTest(kind)
         Assert.Equal(("A-1", "WO-1", 0.1, double.BitIncrement(0.2)), (found.Serial, found.WorkOrder, found.LargestMm, found.SumMm));
         Assert.Equal(("one.csv", "gauge", "trace", Hash("1")), (found.FileName, found.Gauge, found.Trace, found.MeasurementSha256));
         Assert.Equal("G1"u8.ToArray(), again.Content(found.ProgramSha256!));
-        Assert.Equal([CorrectionState.Archived, CorrectionState.Recognized, CorrectionState.Computed], again.StepsOf(id).Select(s => s.To));
+        Assert.Equal(
+            [CorrectionState.Archived, CorrectionState.Recognized, CorrectionState.Computed],
+            again.Corrections.StepsOf(id).Select(s => s.To));
     }
 
     [Fact]
@@ -88,7 +90,7 @@ public abstract class StoreTests(StoreKind kind) : StoreTest(kind)
         Assert.Equal(
             StoreError.Conflict,
             Assert.Throws<StoreException>(() => store.Step(correction, CorrectionState.Refused, "cell", "late")).Error);
-        Assert.Equal(2, store.StepsOf(correction.Id).Count);
+        Assert.Equal(2, store.Corrections.StepsOf(correction.Id).Count);
     }
 
     [Fact]
@@ -163,6 +165,6 @@ public abstract class StoreTests(StoreKind kind) : StoreTest(kind)
         Assert.Empty(failures);
         Assert.Equal(1 + 4 * 4 * EachDoes, stores[0].ChangeCount());
         Assert.Null(stores[1].VerifyAudit());
-        Assert.Equal(4 * EachDoes, stores[0].InState(CorrectionState.Proposed).Count);
+        Assert.Equal(4 * EachDoes, stores[0].Corrections.InState(CorrectionState.Proposed).Count);
     }
 }

@@ -156,11 +156,13 @@ internal sealed class StoreWriter : IDisposable
             Console.Out.WriteLine(KeysOn(settings.File + ".rest"));
 
             Console.Out.WriteLine(
-                $"all there: {store.InState(CorrectionState.Archived).SequenceEqual(written)}, chain: {store.VerifyAudit() is null}");
+                $"all there: {store.Corrections.InState(CorrectionState.Archived).SequenceEqual(written)}, "
+                    + $"chain: {store.VerifyAudit() is null}");
             System.IO.File.Delete(ballast);
             written.Add(store.Archive(new Arrival("gauge", "file", "after", "after"u8.ToArray())).Correction);
             Console.Out.WriteLine(
-                $"all there: {store.InState(CorrectionState.Archived).SequenceEqual(written)}, chain: {store.VerifyAudit() is null}");
+                $"all there: {store.Corrections.InState(CorrectionState.Archived).SequenceEqual(written)}, "
+                    + $"chain: {store.VerifyAudit() is null}");
         }
 
         using var again = CellStore.Open(settings, TimeProvider.System);

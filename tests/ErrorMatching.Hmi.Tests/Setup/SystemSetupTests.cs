@@ -222,7 +222,7 @@ public sealed class SystemSetupTests
         seat.Seat.WaitFor(() => seat.System.Detail is not null, "Nothing is shown.");
         Assert.Equal("#1 · 0001", seat.TextOf("detail-title"));
         Assert.Null(seat.Seat.Find("tab-course"));
-        var place = StoredMove.PlaceOf(seat.Seat.Station.Store.StepsOf(1))!;
+        var place = StoredMove.PlaceOf(seat.Seat.Station.Store.Corrections.StepsOf(1))!;
         Assert.Equal(Texts.Current.With("Head.LargestAt", Shown.Mm(computed.LargestMm), place), seat.TextOf("detail-largest"));
         var kept = StoredReport.Read(seat.Seat.Station.Store.Content(computed.ReportSha256!)).Match!;
         Assert.Equal(kept.KeyPoints.Select(p => p.Correction), seat.System.Detail!.Stored.Report!.KeyPoints.Select(p => p.Correction));

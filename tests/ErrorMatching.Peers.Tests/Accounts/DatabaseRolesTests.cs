@@ -22,7 +22,7 @@ public sealed class DatabaseRolesTests(PostgresServer server) : IDisposable
 
         Assert.Equal([2, 1], store.Search(new HistoryQuery()).Select(c => c.Id));
         Assert.Equal("points", Encoding.UTF8.GetString(store.Content(store.Find(1)!.MeasurementSha256)));
-        Assert.Equal(["archived", "failed"], store.StepsOf(2).Select(s => CorrectionRow.Word(s.To)));
+        Assert.Equal(["archived", "failed"], store.Corrections.StepsOf(2).Select(s => CorrectionRow.Word(s.To)));
         Assert.Null(store.VerifyAudit());
         Assert.Equal(StoreError.Denied, Assert.Throws<StoreException>(() => store.Audit("ben", "approved", "")).Error);
         Denied(reader, "SELECT * FROM person", "SELECT * FROM machine_secret", "SELECT * FROM event_cursor", "DELETE FROM correction",

@@ -75,6 +75,6 @@ public sealed class ProbedPieceRestartTests
         await ConfiguredCell.Until(() => Directory.GetFiles(machine).Length == 1);
         await cell.StopAsync();
         Assert.Null(cell.Store.Find(2));
-        Assert.Single(cell.Store.StepsOf(1), s => s.To == CorrectionState.Verified);
+        Assert.Single(cell.Store.Corrections.StepsOf(1), s => s.To == CorrectionState.Verified);
     }
 }

@@ -67,9 +67,10 @@ public sealed class LoadTests
         Assert.Equal(
             pieces.Select(p => p.Name).Order(StringComparer.Ordinal), machine.Cut.Select(c => c.File).Order(StringComparer.Ordinal));
         using var store = CellStore.Open(new SqliteSettings(cell["store", "cell.db"]), TimeProvider.System);
-        var latencies = store.InState(Enum.GetValues<CorrectionState>())
+        var latencies = store.Corrections.InState(Enum.GetValues<CorrectionState>())
             .Select(
-                c => (store.StepsOf(c.Id).First(s => s.To == CorrectionState.Verified).At - dropped[c.FileName]).TotalMilliseconds)
+                c => (store.Corrections.StepsOf(c.Id).First(s => s.To == CorrectionState.Verified).At - dropped[c.FileName])
+                    .TotalMilliseconds)
                 .Order().ToArray();
         Assert.Equal(pieces.Length, latencies.Length);
         Assert.Null(store.VerifyAudit());

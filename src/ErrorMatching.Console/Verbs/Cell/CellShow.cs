@@ -41,7 +41,7 @@ internal sealed class CellShow : CellVerb
 
         return new CellShowAnswer(
             correction,
-            store.StepsOf(correction.Id),
+            store.Corrections.StepsOf(correction.Id),
             [.. files.Select(f => f.Path)],
             [.. files.Select(f => f.Notice?.Sentence).OfType<string>()]);
     }

@@ -130,7 +130,7 @@ internal sealed class FreeformViewModel : ScreenViewModel, ILooksAt
         var isRead = await TryAsync(() =>
         {
             measured = Measured(job);
-            older = Station.Store.CountReported([job.Name]) - Most;
+            older = Station.Store.Corrections.CountReported([job.Name]) - Most;
             var correction = measured.FirstOrDefault(m => m.Correction.Id == looked).Correction
                 ?? (measured is [var newest, ..] ? newest.Correction : null);
             if (correction is not null)
@@ -190,7 +190,7 @@ internal sealed class FreeformViewModel : ScreenViewModel, ILooksAt
     private List<(Correction Correction, StoredSurface Surface)> Measured(CellJobSettings job)
     {
         var measured = new List<(Correction, StoredSurface)>();
-        foreach (var correction in Station.Store.Reported([job.Name], Most))
+        foreach (var correction in Station.Store.Corrections.Reported([job.Name], Most))
         {
             if (!_read.TryGetValue(correction.ReportSha256!, out var surface))
             {

@@ -112,7 +112,7 @@ internal sealed class VerificationViewModel : ScreenViewModel, ILooksAt
                 ? Matings.FirstOrDefault(m => m.Jobs.Contains(job, StringComparer.Ordinal)) ?? mating
                 : mating;
             pieces = _kept.Read(Station.Store, mating?.Jobs ?? [], StoredPieces.Most);
-            older = Station.Store.CountReported(mating?.Jobs ?? []) - StoredPieces.Most;
+            older = Station.Store.Corrections.CountReported(mating?.Jobs ?? []) - StoredPieces.Most;
         });
         if (load != _load)
         {
