@@ -122,12 +122,16 @@ public sealed class CellRunner
                 AnswerWatch.OfMachine(flow, machine, folder).WorkAsync).RunAsync;
             foreach (var slot in machine.Slots)
             {
-                var right = new SlotRight(_store, machine.Name, slot.Name);
-                var fenced = new FencedFolder(folder, right.Demand);
-                var sender = new ProgramSender(fenced, _store.Keeps, tries, guard);
-                yield return new Worker(flow, CellTrouble.OfSlot(machine.Name, slot.Name), flow.OfSlot(machine.Name, slot.Name),
-                    new SlotWorker(flow, machine, slot, right, fenced, sender, listing, originals,
-                        new(flow, machine, slot, folder, programs), new(flow, machine, slot, guard, sender)).WorkAsync).RunAsync;
+                var place = SlotPlace.Of(_store, machine, slot, folder, tries, guard);
+                var worker = new SlotWorker(
+                    flow,
+                    place,
+                    new HeldProgram(flow, place, listing),
+                    new KnownPrograms(flow, place, originals),
+                    new SlotNames(flow, place, programs),
+                    new DeliveryWait(flow, place, guard));
+                yield return new Worker(
+                    flow, CellTrouble.OfSlot(machine.Name, slot.Name), flow.OfSlot(machine.Name, slot.Name), worker.WorkAsync).RunAsync;
             }
         }
 

@@ -4,13 +4,15 @@ namespace ErrorMatching.Cell;
 
 /// <summary>Lets the programs of a slot wait while their machine must not be disturbed. A wait that is longer than its limit is a trouble;
 /// the program still waits, and nothing is lost.</summary>
-internal sealed class DeliveryWait(
-    CellFlow flow, MachineSettings machine, SlotSettings slot, ReplacementGuard? guard, ProgramSender sender)
+/// <param name="flow">State shared by the workers.</param>
+/// <param name="place">The slot.</param>
+/// <param name="guard">Says whether the machine may be disturbed; null if it does not say what it does.</param>
+internal sealed class DeliveryWait(CellFlow flow, SlotPlace place, ReplacementGuard? guard)
 {
     // How long a program that was read at the machine is not read again: a control that cuts should not be asked every second.
     private static readonly TimeSpan Memory = TimeSpan.FromMinutes(1);
 
-    private readonly string _where = CellTrouble.OfDelivery(machine.Name, slot.Name);
+    private readonly string _where = CellTrouble.OfDelivery(place.Machine.Name, place.Slot.Name);
     private (byte[]? Content, long At)? _there;
 
     /// <summary>Asks the machine whether the next program must wait.</summary>
@@ -18,7 +20,7 @@ internal sealed class DeliveryWait(
     {
         if (guard is null)
             return false;
-        if (await guard.WhyNotAsync(slot.Program, c => ContentsAsync(next, c), stop) is not { } why)
+        if (await guard.WhyNotAsync(place.Slot.Program, c => ContentsAsync(next, c), stop) is not { } why)
         {
             End();
             return false;
@@ -35,7 +37,7 @@ internal sealed class DeliveryWait(
         {
             try
             {
-                there = (await sender.CurrentAsync(slot.Program, stop), flow.Clock.GetTimestamp());
+                there = (await place.Sender.CurrentAsync(place.Slot.Program, stop), flow.Clock.GetTimestamp());
             }
             catch (TransportException e) when (!e.IsWorthAnotherTry)
             {
@@ -52,16 +54,16 @@ internal sealed class DeliveryWait(
     /// <summary>A program waits.</summary>
     public void Note(Correction next, Statement why)
     {
-        var (wait, isNew) = flow.Machines.Begin(machine.Name, slot.Name, next.Id, why);
+        var (wait, isNew) = flow.Machines.Begin(place.Machine.Name, place.Slot.Name, next.Id, why);
         if (isNew)
             flow.Log.Information(
-                "{Machine}/{Slot}: correction {Correction} waits: {Message:l}", machine.Name, slot.Name, next.Id, why.Sentence);
-        if (machine.State is { } settings && flow.Clock.GetUtcNow() - wait.Since >= settings.WaitLimit)
+                "{Machine}/{Slot}: correction {Correction} waits: {Message:l}", place.Machine.Name, place.Slot.Name, next.Id, why.Sentence);
+        if (place.Machine.State is { } settings && flow.Clock.GetUtcNow() - wait.Since >= settings.WaitLimit)
         {
             var late = Recorded.WaitsTooLong.With(next.Id, wait.Since, why);
             if (flow.Troubles.Begin(_where, CellCodes.WaitsTooLong, late))
             {
-                flow.Store.Audit(CellFlow.ByCell, CellCodes.WaitsTooLong, late, Recorded.Slot.With(slot.Name, machine.Name));
+                flow.Store.Audit(CellFlow.ByCell, CellCodes.WaitsTooLong, late, Recorded.Slot.With(place.Slot.Name, place.Machine.Name));
                 flow.Log.Warning("{Where}: {Code}: {Message:l}", _where, CellCodes.WaitsTooLong, late.Sentence);
             }
         }
@@ -74,8 +76,8 @@ internal sealed class DeliveryWait(
     public void End()
     {
         _there = null;
-        if (flow.Machines.End(machine.Name, slot.Name))
-            flow.Log.Information("{Machine}/{Slot}: the machine may get its program now", machine.Name, slot.Name);
+        if (flow.Machines.End(place.Machine.Name, place.Slot.Name))
+            flow.Log.Information("{Machine}/{Slot}: the machine may get its program now", place.Machine.Name, place.Slot.Name);
         flow.Troubles.End(_where);
     }
 }

@@ -3,24 +3,31 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Reads the program of a taken slot again: it was verified, and the piece cut next is assumed to be cut by it. A difference is
-/// stored and reported as a trouble and in the audit trail. The report ends when the program is back or a person decides.</summary>
-internal sealed class HeldProgram(CellFlow flow, MachineSettings machine, SlotSettings slot, ProgramSender sender)
+/// <summary>Watches the program of a taken slot until the machine reports that the piece is cut. The program is read again all the time,
+/// for the piece cut next is assumed to be cut by it. A difference is stored and reported as a trouble and in the audit trail; the report
+/// ends when the program is back or a person decides.</summary>
+/// <param name="flow">State shared by the workers.</param>
+/// <param name="place">The slot.</param>
+/// <param name="listing">The folder's listing, for ready files.</param>
+internal sealed class HeldProgram(CellFlow flow, SlotPlace place, MachineListing listing)
 {
     private const string Missing = "missing";
-    private readonly string _where = CellTrouble.OfProgram(machine.Name, slot.Name);
+    private readonly string _where = CellTrouble.OfProgram(place.Machine.Name, place.Slot.Name);
     private (long Id, string? Program) _of;
     private long _readAt;
     private string? _told;
+    private (long Id, CorrectionState State) _seen;
+    private long _seenAt;
+    private long _nextReady;
 
-    /// <summary>True if the last read found another program in the slot.</summary>
-    public bool IsChanged => _told is not null;
+    // True if the last read found another program in the slot.
+    private bool IsChanged => _told is not null;
 
-    /// <summary>The slot was just found to hold the right program.</summary>
-    public void IsAsVerified(long id, string? program)
+    /// <summary>The slot was just verified to hold a correction's program.</summary>
+    public void Begin(Correction verified)
     {
-        (_of, _readAt) = ((id, program), flow.Clock.GetTimestamp());
-        End();
+        FoundAsVerified(verified.Id, verified.ProgramSha256);
+        _nextReady = 0;
     }
 
     /// <summary>The slot is no longer held: someone decided.</summary>
@@ -33,23 +40,54 @@ internal sealed class HeldProgram(CellFlow flow, MachineSettings machine, SlotSe
         }
     }
 
-    /// <summary>How long until the next read; zero if it has not been read yet.</summary>
-    public TimeSpan Wait(long id, string? program) =>
+    /// <summary>Reads the program if it is time to, and looks whether the machine reports that the piece is cut, which frees the
+    /// slot.</summary>
+    /// <param name="held">The correction that has the slot.</param>
+    /// <param name="holding">What the slot holds.</param>
+    /// <param name="stop">Cancels immediately.</param>
+    /// <returns>How long to wait before looking again.</returns>
+    /// <exception cref="TransportException">The machine cannot be read.</exception>
+    public async Task<TimeSpan> WatchAsync(Correction held, SlotHolding holding, CancellationToken stop)
+    {
+        var program = held.State == CorrectionState.Verified ? held.ProgramSha256 : holding.ProgramSha256;
+        var wait = Wait(held.Id, program);
+        if (wait == TimeSpan.Zero)
+        {
+            // With the slot's lock: a revert in progress changes the program too, and must not be reported as a foreign change.
+            using var taken = place.Right.TryTake();
+            if (taken is null)
+            {
+                return flow.Pace.Locked;
+            }
+
+            if (flow.Store.Find(held.Id)!.Version != held.Version)
+            {
+                return TimeSpan.Zero;
+            }
+
+            await ReadAsync(held, program, stop);
+            wait = flow.Pace.Held;
+        }
+
+        // A piece cut with a changed program is not the correction's, whatever the machine reports.
+        return Shorter(wait, IsChanged ? flow.Idle : await LookForReadyAsync(held, program, stop));
+    }
+
+    // How long until the next read; zero if it has not been read yet.
+    private TimeSpan Wait(long id, string? program) =>
         _of == (id, program) && flow.Clock.GetElapsedTime(_readAt) is var since && since < flow.Pace.Held
             ? flow.Pace.Held - since
             : TimeSpan.Zero;
 
-    /// <summary>Reads the program.</summary>
-    /// <returns>True if it is the right one.</returns>
-    /// <exception cref="TransportException">It cannot be read.</exception>
-    public async Task<bool> ReadAsync(Correction held, string? program, CancellationToken cancellation)
+    // Reads the program. True if it is the right one.
+    private async Task<bool> ReadAsync(Correction held, string? program, CancellationToken cancellation)
     {
-        var found = await sender.CurrentAsync(slot.Program, cancellation);
+        var found = await place.Sender.CurrentAsync(place.Slot.Program, cancellation);
         if (found is null)
         {
             // A process that had the right before, was frozen and went on may have set it aside, where a server has no other way.
-            await sender.RecoverAsync(slot.Program, cancellation);
-            found = await sender.CurrentAsync(slot.Program, cancellation);
+            await place.Sender.RecoverAsync(place.Slot.Program, cancellation);
+            found = await place.Sender.CurrentAsync(place.Slot.Program, cancellation);
         }
 
         var hash = found is null ? null : Convert.ToHexStringLower(SHA256.HashData(found));
@@ -57,15 +95,15 @@ internal sealed class HeldProgram(CellFlow flow, MachineSettings machine, SlotSe
         {
             if (IsChanged)
             {
-                flow.Store.Audit(CellFlow.ByCell, CellCodes.HeldAgain, Recorded.HeldAgain.With(slot.Program, machine.Name, held.Id),
-                    Subject);
+                var again = Recorded.HeldAgain.With(place.Slot.Program, place.Machine.Name, held.Id);
+                flow.Store.Audit(CellFlow.ByCell, CellCodes.HeldAgain, again, Subject);
             }
 
-            IsAsVerified(held.Id, program);
+            FoundAsVerified(held.Id, program);
             return true;
         }
 
-        var changed = Recorded.ChangedWhileHeld.With(slot.Program, machine.Name, held.Id, hash ?? Missing);
+        var changed = Recorded.ChangedWhileHeld.With(place.Slot.Program, place.Machine.Name, held.Id, hash ?? Missing);
         if (_of.Id != held.Id || _told != (hash ?? Missing))
         {
             // Stored first: what a person changed there may be gone a moment later.
@@ -81,5 +119,75 @@ internal sealed class HeldProgram(CellFlow flow, MachineSettings machine, SlotSe
         return false;
     }
 
-    private Statement Subject => Recorded.Slot.With(slot.Name, machine.Name);
+    // The step comes first: a ready file that outlives it is stale, and is removed before the next program is sent.
+    private async Task<TimeSpan> LookForReadyAsync(Correction held, string? program, CancellationToken stop)
+    {
+        if (place.Slot.ReadyFile is not { } ready)
+        {
+            return flow.Idle;
+        }
+
+        var now = flow.Clock.GetTimestamp();
+        if (_seen != (held.Id, held.State))
+        {
+            // Only listings from now on show this program's ready file: the ready file was removed before the program was sent or restored.
+            (_seen, _seenAt) = ((held.Id, held.State), now);
+        }
+
+        if (_nextReady > now)
+        {
+            return flow.Clock.GetElapsedTime(now, _nextReady);
+        }
+
+        var listed = await listing.NamesAsync(_seenAt, stop);
+        _nextReady = flow.Clock.GetTimestamp() + (long)(flow.Pace.Ready.TotalSeconds * flow.Clock.TimestampFrequency);
+        if (!listed.Contains(ready, StringComparer.Ordinal))
+        {
+            return flow.Pace.Ready;
+        }
+
+        // With the slot's lock: if another cell sent the next program before the file is removed, this would delete the ready file of the
+        // next piece, and the slot would never become free.
+        using var taken = place.Right.TryTake();
+        if (taken is null)
+        {
+            return flow.Pace.Locked;
+        }
+
+        if (flow.Store.Slot(place.Machine.Name, place.Slot.Name).Correction != held.Id || flow.Store.Find(held.Id)!.Version != held.Version)
+        {
+            return TimeSpan.Zero;
+        }
+
+        if (!await ReadAsync(held, program, stop))
+        {
+            return TimeSpan.Zero;
+        }
+
+        var basis = Recorded.MachineWrote.With(ready);
+        if (held.State == CorrectionState.Verified)
+        {
+            // Recorded only while no other process may have changed what was seen at the machine.
+            place.Right.Demand();
+            flow.Step(held, CorrectionState.Released, basis);
+        }
+        else
+        {
+            flow.Store.FreeSlot(place.Machine.Name, place.Slot.Name, held.Id, CellFlow.ByCell, basis);
+        }
+
+        if (place.Right.IsHeld) await place.Folder.DeleteAsync(ready, flow.Finish);
+
+        return TimeSpan.Zero;
+    }
+
+    private void FoundAsVerified(long id, string? program)
+    {
+        (_of, _readAt) = ((id, program), flow.Clock.GetTimestamp());
+        End();
+    }
+
+    private static TimeSpan Shorter(TimeSpan one, TimeSpan other) => one < other ? one : other;
+
+    private Statement Subject => Recorded.Slot.With(place.Slot.Name, place.Machine.Name);
 }

@@ -7,10 +7,9 @@ namespace ErrorMatching.Cell;
 
 /// <summary>Decides which programs found in a slot the cell may replace.</summary>
 /// <param name="flow">State shared by the workers.</param>
-/// <param name="machine">The machine.</param>
-/// <param name="slot">The slot.</param>
+/// <param name="place">The slot.</param>
 /// <param name="originals">The original programs of the slot's jobs.</param>
-internal sealed class KnownPrograms(CellFlow flow, MachineSettings machine, SlotSettings slot, OriginalPrograms originals)
+internal sealed class KnownPrograms(CellFlow flow, SlotPlace place, OriginalPrograms originals)
 {
     // Identical pieces have the same program.
     private const int MostAlike = 100;
@@ -23,12 +22,13 @@ internal sealed class KnownPrograms(CellFlow flow, MachineSettings machine, Slot
     {
         // What it found earlier was known then, or a person was warned and approved again.
         if (found is null || hash is null || hash == approved.ProgramSha256 || hash == approved.PreviousSha256) return null;
-        if (Cutting(hash, approved) is { } cutting) return RecordedOffset.SlotOfPrograms.With(slot.Program, machine.Name, cutting.Id);
-        var holding = flow.Store.Slot(machine.Name, slot.Name);
+        if (Cutting(hash, approved) is { } cutting)
+            return RecordedOffset.SlotOfPrograms.With(place.Slot.Program, place.Machine.Name, cutting.Id);
+        var holding = flow.Store.Slot(place.Machine.Name, place.Slot.Name);
         return hash == holding.ProgramSha256 || hash == holding.PreviousSha256
-            || (approved.Offset is null && originals.Hashes(machine.Name, slot.Name).Contains(hash))
+            || (approved.Offset is null && originals.Hashes(place.Machine.Name, place.Slot.Name).Contains(hash))
             ? null
-            : (IsOfOtherCell(found) ? Recorded.OfOtherCell : Recorded.ChangedBefore).With(slot.Program, machine.Name, hash);
+            : (IsOfOtherCell(found) ? Recorded.OfOtherCell : Recorded.ChangedBefore).With(place.Slot.Program, place.Machine.Name, hash);
     }
 
     // A marker says which measurement a program was made from. No file that arrived here was that one.
@@ -36,7 +36,7 @@ internal sealed class KnownPrograms(CellFlow flow, MachineSettings machine, Slot
     {
         try
         {
-            return Marker.Find(NcProgram.Read(found, InputFile.Dialect(machine.Dialect).Syntax)) is [_, ..] markers
+            return Marker.Find(NcProgram.Read(found, InputFile.Dialect(place.Machine.Dialect).Syntax)) is [_, ..] markers
                 && markers.All(m => m.Marker is { } marker && flow.Store.Corrections.OfMeasurement(marker.MeasurementSha256).Count == 0);
         }
         catch (InputException)

@@ -3,8 +3,11 @@ using ErrorMatching.Reporting;
 namespace ErrorMatching.Cell;
 
 /// <summary>Whether a program may go to its slot by what the control would call it: it must be the slot's file by name and number, and
-/// nothing else at the machine.</summary>
-internal sealed class SlotNames(CellFlow flow, MachineSettings machine, SlotSettings slot, IMachineFolder folder, JobPrograms jobs)
+/// nothing else at the place.Machine.</summary>
+/// <param name="flow">State shared by the workers.</param>
+/// <param name="place">The slot.</param>
+/// <param name="jobs">The programs of the machine's jobs.</param>
+internal sealed class SlotNames(CellFlow flow, SlotPlace place, JobPrograms jobs)
 {
     /// <summary>Why a program must not be sent.</summary>
     /// <param name="approved">The correction to send.</param>
@@ -16,32 +19,33 @@ internal sealed class SlotNames(CellFlow flow, MachineSettings machine, SlotSett
     public async Task<(string Code, Statement Why)?> WhyNotAsync(
         Correction approved, byte[]? found, string? hash, CancellationToken cancellation)
     {
-        var program = MachinePrograms.Identify(machine, slot.Program, [flow.Store.Content(approved.ProgramSha256!)]);
+        var program = MachinePrograms.Identify(place.Machine, place.Slot.Program, [flow.Store.Content(approved.ProgramSha256!)]);
         if (program.OtherHead is { } head)
-            return (CellCodes.NamedOtherwise, Recorded.NamedOtherwise.With(slot.Program, machine.Name, head));
+            return (CellCodes.NamedOtherwise, Recorded.NamedOtherwise.With(place.Slot.Program, place.Machine.Name, head));
 
         // A person who was told so and approved again means it.
         if (found is not null && hash != approved.PreviousSha256
-            && MachinePrograms.Identify(machine, slot.Program, [MachinePrograms.Content(found)]) is { Heads: [var before, ..] } there
+            && MachinePrograms.Identify(place.Machine, place.Slot.Program, [MachinePrograms.Content(found)])
+                is { Heads: [var before, ..] } there
             && program.Heads is [var now, ..] && !there.Heads.Any(h => program.Heads.Any(p => ActiveProgram.IsSame(h, p))))
-            return (CellCodes.NamedOtherwise, Recorded.NamedOtherwiseThere.With(slot.Program, machine.Name, before, now));
+            return (CellCodes.NamedOtherwise, Recorded.NamedOtherwiseThere.With(place.Slot.Program, place.Machine.Name, before, now));
         return OfOthers(program) ?? await OfFilesAsync(program, cancellation);
     }
 
     private (string Code, Statement Why)? OfOthers(ProgramIdentity program)
     {
-        foreach (var other in machine.Slots.Where(s => s.Name != slot.Name))
+        foreach (var other in place.Machine.Slots.Where(s => s.Name != place.Slot.Name))
         {
-            if (program.SharedWith(MachinePrograms.Identify(machine, other.Program, [])) is { } name)
-                return (CellCodes.NameTaken, Recorded.NameOfSlot.With(slot.Program, machine.Name, name, other.Name));
+            if (program.SharedWith(MachinePrograms.Identify(place.Machine, other.Program, [])) is { } name)
+                return (CellCodes.NameTaken, Recorded.NameOfSlot.With(place.Slot.Program, place.Machine.Name, name, other.Name));
         }
 
-        foreach (var other in jobs.Of(machine).Where(j => j.Slot?.Name != slot.Name))
+        foreach (var other in jobs.Of(place.Machine).Where(j => j.Slot?.Name != place.Slot.Name))
         {
             if (program.SharedWith(other.Program) is { } name)
                 return (CellCodes.NameTaken, other.Slot is { } taken
-                    ? Recorded.NameOfSlot.With(slot.Program, machine.Name, name, taken.Name)
-                    : Recorded.NameOfJob.With(slot.Program, machine.Name, name, other.Program.File, other.Job.Name));
+                    ? Recorded.NameOfSlot.With(place.Slot.Program, place.Machine.Name, name, taken.Name)
+                    : Recorded.NameOfJob.With(place.Slot.Program, place.Machine.Name, name, other.Program.File, other.Job.Name));
         }
 
         return null;
@@ -51,10 +55,10 @@ internal sealed class SlotNames(CellFlow flow, MachineSettings machine, SlotSett
     {
         if (program.Naming == Nc.ProgramNaming.ByFile)
             return null;
-        var names = await folder.ListAsync(cancellation);
-        if (MachinePrograms.OtherFile(machine, program, names) is not { } file)
+        var names = await place.Folder.ListAsync(cancellation);
+        if (MachinePrograms.OtherFile(place.Machine, program, names) is not { } file)
             return null;
-        var name = program.Heads.Count > 0 ? program.Heads[0] : slot.Program;
-        return (CellCodes.NameTaken, Recorded.NameOfFile.With(slot.Program, machine.Name, name, file));
+        var name = program.Heads.Count > 0 ? program.Heads[0] : place.Slot.Program;
+        return (CellCodes.NameTaken, Recorded.NameOfFile.With(place.Slot.Program, place.Machine.Name, name, file));
     }
 }

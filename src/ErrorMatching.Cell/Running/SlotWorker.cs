@@ -4,28 +4,18 @@ using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Serves one slot: sends the next correction in line, and frees the slot when the machine reports that the piece is
-/// cut.</summary>
+/// <summary>Serves one slot: takes the slot for the next correction in line, sends its program, and lets it be watched until the machine
+/// reports that the piece is cut, which frees the slot.</summary>
 /// <param name="flow">State shared by the workers.</param>
-/// <param name="machine">The machine.</param>
-/// <param name="slot">The slot.</param>
-/// <param name="right">The right to change what the machine has.</param>
-/// <param name="folder">The machine's program folder, which is changed with the right only.</param>
-/// <param name="sender">Sends programs to the folder, and reads them.</param>
-/// <param name="listing">The folder's listing, for ready files.</param>
-/// <param name="originals">The original programs of the slot's jobs.</param>
+/// <param name="place">The slot.</param>
+/// <param name="watched">Watches the program of the taken slot.</param>
+/// <param name="known">Decides which programs may be replaced.</param>
 /// <param name="names">What the control would call the slot's programs.</param>
 /// <param name="delivery">Lets programs wait for the machine.</param>
 internal sealed class SlotWorker(
-    CellFlow flow, MachineSettings machine, SlotSettings slot, SlotRight right, IMachineFolder folder, ProgramSender sender,
-    MachineListing listing, OriginalPrograms originals, SlotNames names, DeliveryWait delivery)
+    CellFlow flow, SlotPlace place, HeldProgram watched, KnownPrograms known, SlotNames names, DeliveryWait delivery)
 {
-    private readonly SlotView _view = new(flow, machine, slot);
-    private readonly HeldProgram _held = new(flow, machine, slot, sender);
-    private readonly KnownPrograms _known = new(flow, machine, slot, originals);
-    private (long Id, CorrectionState State) _seen;
-    private long _seenAt;
-    private long _nextReady;
+    private readonly SlotView _view = new(flow, place);
     private bool _isInOrder;
 
     /// <summary>Processes the slot's pending work.</summary>
@@ -38,10 +28,10 @@ internal sealed class SlotWorker(
             if (held.State == CorrectionState.Uploading)
                 return await UploadLockedAsync(held, stop);
             delivery.End();
-            return await WatchAsync(held, _view.Holding, stop);
+            return await watched.WatchAsync(held, _view.Holding, stop);
         }
 
-        _held.End();
+        watched.End();
 
         if (_view.First is not { State: CorrectionState.Approved } first)
         {
@@ -55,7 +45,7 @@ internal sealed class SlotWorker(
 
     private async Task<TimeSpan> UploadLockedAsync(Correction correction, CancellationToken stop)
     {
-        using var taken = right.TryTake();
+        using var taken = place.Right.TryTake();
         if (taken is null)
         {
             return flow.Pace.Locked;
@@ -67,7 +57,7 @@ internal sealed class SlotWorker(
             return TimeSpan.Zero;
         }
 
-        if (flow.Store.Slot(machine.Name, slot.Name).Correction is { } holder && holder != correction.Id)
+        if (flow.Store.Slot(place.Machine.Name, place.Slot.Name).Correction is { } holder && holder != correction.Id)
         {
             return TimeSpan.Zero;
         }
@@ -133,7 +123,7 @@ internal sealed class SlotWorker(
         }
 
         var hash = HashOf(found);
-        var unknown = _known.WhyNot(found, hash, approved);
+        var unknown = known.WhyNot(found, hash, approved);
         var mayReplace = unknown is null && named is null;
         var uploading = Step(
             approved,
@@ -162,11 +152,11 @@ internal sealed class SlotWorker(
     {
         if (!_isInOrder)
         {
-            await sender.RecoverAsync(slot.Program, cancellation);
+            await place.Sender.RecoverAsync(place.Slot.Program, cancellation);
             _isInOrder = true;
         }
 
-        return await sender.CurrentAsync(slot.Program, cancellation);
+        return await place.Sender.CurrentAsync(place.Slot.Program, cancellation);
     }
 
     // The slot is taken. The machine may hold the old program, the new one, or what an interruption left of both.
@@ -219,25 +209,25 @@ internal sealed class SlotWorker(
 
             if (hash != uploading.PreviousSha256)
             {
-                throw new ChangedAtMachineException(found, Recorded.ChangedMeanwhile.With(slot.Program, machine.Name, hash ?? "missing"));
+                throw new ChangedAtMachineException(found, ChangedMeanwhile(hash));
             }
         }
 
-        right.Demand();
+        place.Right.Demand();
 
         // Again, for changes to the store since the slot was taken.
         flow.DemandRecorded(uploading);
 
         // From here on an interruption may leave any state.
         _isInOrder = false;
-        if (slot.ReadyFile is { } ready)
+        if (place.Slot.ReadyFile is { } ready)
         {
             // An existing ready file belongs to the previous program.
-            await folder.DeleteAsync(ready, flow.Finish);
+            await place.Folder.DeleteAsync(ready, flow.Finish);
         }
 
         var program = flow.Store.Content(uploading.ProgramSha256!);
-        var unseen = await sender.SendAsync(slot.Program, uploading.PreviousSha256, program,
+        var unseen = await place.Sender.SendAsync(place.Slot.Program, uploading.PreviousSha256, program,
             string.Create(CultureInfo.InvariantCulture, $"{uploading.Id}"), flow.Finish);
         _isInOrder = true;
         return unseen is null ? Recorded.ReadBack.With() : Recorded.ReadBackUnseen.With(unseen);
@@ -247,8 +237,7 @@ internal sealed class SlotWorker(
     {
         var verified = Step(uploading, CorrectionState.Verified, basis);
         CellTelemetry.Arrived(verified, flow.Clock.GetUtcNow());
-        _held.IsAsVerified(verified.Id, verified.ProgramSha256);
-        _nextReady = 0;
+        watched.Begin(verified);
     }
 
     // After all attempts: recovers the slot if the machine can be reached, and gives it back if it then holds its previous program.
@@ -275,8 +264,8 @@ internal sealed class SlotWorker(
         {
             flow.Log.Debug(
                 "slot {Machine}/{Slot}: keeps correction {Correction} while the machine cannot be looked at: {Message}",
-                machine.Name,
-                slot.Name,
+                place.Machine.Name,
+                place.Slot.Name,
                 uploading.Id,
                 e.Message);
             return;
@@ -289,8 +278,7 @@ internal sealed class SlotWorker(
         }
         else if (hash != uploading.PreviousSha256 && cause is not { Error: TransportError.Differs })
         {
-            Fail(uploading, CellCodes.ChangedAtMachine, Recorded.ChangedMeanwhile.With(slot.Program, machine.Name, hash ?? "missing"),
-                found);
+            Fail(uploading, CellCodes.ChangedAtMachine, ChangedMeanwhile(hash), found);
         }
         else if (cause is null or { Error: TransportError.Away or TransportError.Slow })
         {
@@ -302,12 +290,15 @@ internal sealed class SlotWorker(
         }
     }
 
+    private Statement ChangedMeanwhile(string? found) =>
+        Recorded.ChangedMeanwhile.With(place.Slot.Program, place.Machine.Name, found ?? "missing");
+
     // What was seen at the machine is recorded only while no other process may have changed it.
     private Correction Step(
         Correction from, CorrectionState to, Statement basis, Func<Correction, Correction>? with = null,
         IReadOnlyList<ReadOnlyMemory<byte>>? contents = null)
     {
-        right.Demand();
+        place.Right.Demand();
         return flow.Step(from, to, basis, with, contents);
     }
 
@@ -319,93 +310,45 @@ internal sealed class SlotWorker(
             c => c with { Code = code, Reason = reason, PreviousSha256 = found is null ? c.PreviousSha256 : HashOf(found) },
             found is null ? null : [found]);
 
-    // A piece cut with a changed program is not the correction's, whatever the machine reports.
-    private async Task<TimeSpan> WatchAsync(Correction held, SlotHolding holding, CancellationToken stop)
-    {
-        var program = held.State == CorrectionState.Verified ? held.ProgramSha256 : holding.ProgramSha256;
-        var wait = _held.Wait(held.Id, program);
-        if (wait == TimeSpan.Zero)
-        {
-            // With the slot's lock: a revert in progress changes the program too, and must not be reported as a foreign change.
-            using var taken = right.TryTake();
-            if (taken is null)
-            {
-                return flow.Pace.Locked;
-            }
-
-            if (flow.Store.Find(held.Id)!.Version != held.Version)
-            {
-                return TimeSpan.Zero;
-            }
-
-            await _held.ReadAsync(held, program, stop);
-            wait = flow.Pace.Held;
-        }
-
-        return Shorter(wait, _held.IsChanged ? flow.Idle : await LookForReadyAsync(held, program, stop));
-    }
-
-    private static TimeSpan Shorter(TimeSpan one, TimeSpan other) => one < other ? one : other;
-
-    // The step comes first: a ready file that outlives it is stale, and is removed before the next program is sent.
-    private async Task<TimeSpan> LookForReadyAsync(Correction held, string? program, CancellationToken stop)
-    {
-        if (slot.ReadyFile is not { } ready)
-        {
-            return flow.Idle;
-        }
-
-        var now = flow.Clock.GetTimestamp();
-        if (_seen != (held.Id, held.State))
-        {
-            // Only listings from now on show this program's ready file: the ready file was removed before the program was sent or restored.
-            (_seen, _seenAt) = ((held.Id, held.State), now);
-        }
-
-        if (_nextReady > now)
-        {
-            return flow.Clock.GetElapsedTime(now, _nextReady);
-        }
-
-        var listed = await listing.NamesAsync(_seenAt, stop);
-        _nextReady = flow.Clock.GetTimestamp() + (long)(flow.Pace.Ready.TotalSeconds * flow.Clock.TimestampFrequency);
-        if (!listed.Contains(ready, StringComparer.Ordinal))
-        {
-            return flow.Pace.Ready;
-        }
-
-        // With the slot's lock: if another cell sent the next program before the file is removed, this would delete the ready file of the
-        // next piece, and the slot would never become free.
-        using var taken = right.TryTake();
-        if (taken is null)
-        {
-            return flow.Pace.Locked;
-        }
-
-        if (flow.Store.Slot(machine.Name, slot.Name).Correction != held.Id || flow.Store.Find(held.Id)!.Version != held.Version)
-        {
-            return TimeSpan.Zero;
-        }
-
-        if (!await _held.ReadAsync(held, program, stop))
-        {
-            return TimeSpan.Zero;
-        }
-
-        var basis = Recorded.MachineWrote.With(ready);
-        if (held.State == CorrectionState.Verified)
-        {
-            Step(held, CorrectionState.Released, basis);
-        }
-        else
-        {
-            flow.Store.FreeSlot(machine.Name, slot.Name, held.Id, CellFlow.ByCell, basis);
-        }
-
-        if (right.IsHeld) await folder.DeleteAsync(ready, flow.Finish);
-
-        return TimeSpan.Zero;
-    }
-
     private static string? HashOf(byte[]? bytes) => bytes is null ? null : Convert.ToHexStringLower(SHA256.HashData(bytes));
+}
+
+/// <summary>What a slot's worker sees of its slot. A store that reports every change is read again only after it has reported
+/// one.</summary>
+internal sealed class SlotView(CellFlow flow, SlotPlace place)
+{
+    private const long Unknown = -1;
+    private long _count = Unknown;
+
+    /// <summary>What the slot holds.</summary>
+    public SlotHolding Holding { get; private set; } = new(place.Machine.Name, place.Slot.Name, null, null, null);
+
+    /// <summary>The correction that has the slot; null if none has it.</summary>
+    public Correction? Held { get; private set; }
+
+    /// <summary>The first in line for the free slot; null if there is none.</summary>
+    public Correction? First { get; private set; }
+
+    /// <summary>Looks again.</summary>
+    /// <exception cref="StoreException">The store cannot be used.</exception>
+    public void Look()
+    {
+        var count = flow.Store.Database.IsPushed ? flow.Store.HeardOf() : Unknown;
+        if (count != Unknown && count == _count) return;
+        _count = Unknown;
+        Holding = flow.Store.Slot(place.Machine.Name, place.Slot.Name);
+        Held = Holding.Correction is { } id ? flow.Store.Find(id)! : null;
+        First = Held is null ? FirstInLine() : null;
+        _count = count;
+    }
+
+    // Only where the serial number decides, all others in line must be looked at.
+    private Correction? FirstInLine() =>
+        flow.Store.Corrections.FirstInLine(place.Machine.Name, place.Slot.Name) is not { } first
+            ? null
+            : IsInOrderOfSerial(first.Job!)
+            ? SlotLine.First(flow.Store.Corrections.Line(place.Machine.Name, place.Slot.Name), IsInOrderOfSerial)
+            : first;
+
+    private bool IsInOrderOfSerial(string job) => flow.Settings.Jobs.FirstOrDefault(j => j.Name == job)?.InOrderOfSerial ?? false;
 }
