@@ -1,20 +1,65 @@
 namespace ErrorMatching.Cell;
 
-/// <summary>The table of states and allowed steps. Any other step is rejected.</summary>
+/// <summary>The life of a correction: the table of states and allowed steps, each with the worker or decision that takes it. Any other
+/// step is rejected.</summary>
+/// <remarks>A correction begins as archived: its file arrived (<see cref="SourceWorker"/>), or it recalculates an earlier one
+/// (<see cref="Recalculation"/>). A worker finds its work in the store by state, so that any process can take the next step.</remarks>
 internal static class CorrectionSteps
 {
     private static readonly Dictionary<CorrectionState, CorrectionState[]> Table = new()
     {
-        [CorrectionState.Archived] = [CorrectionState.Recognized, CorrectionState.Refused, CorrectionState.Failed],
-        [CorrectionState.Recognized] = [
-            CorrectionState.Computed, CorrectionState.Recorded, CorrectionState.Refused, CorrectionState.Failed],
-        [CorrectionState.Computed] = [CorrectionState.Proposed, CorrectionState.Refused, CorrectionState.Superseded],
-        [CorrectionState.Proposed] = [CorrectionState.Approved, CorrectionState.Rejected, CorrectionState.Superseded],
-        [CorrectionState.Approved] = [CorrectionState.Uploading, CorrectionState.Rejected, CorrectionState.Superseded],
-        [CorrectionState.Uploading] = [CorrectionState.Verified, CorrectionState.Approved, CorrectionState.Failed],
-        [CorrectionState.Verified] = [CorrectionState.Released, CorrectionState.Reverted],
-        [CorrectionState.Released] = [CorrectionState.Reverted],
-        [CorrectionState.Failed] = [CorrectionState.Approved, CorrectionState.Rejected, CorrectionState.Superseded],
+        [CorrectionState.Archived] =
+        [
+            CorrectionState.Recognized, // RecognizeWorker.Begin
+            CorrectionState.Refused, // RecognizeWorker.Refuse
+            CorrectionState.Failed, // CellFlow.Guarded
+        ],
+        [CorrectionState.Recognized] =
+        [
+            CorrectionState.Computed, // ComputeWorker.Keep
+            CorrectionState.Recorded, // ComputeWorker.Record
+            CorrectionState.Refused, // ComputeWorker.Refuse
+            CorrectionState.Failed, // ComputeWorker.Compute, CellFlow.Guarded
+        ],
+        [CorrectionState.Computed] =
+        [
+            CorrectionState.Proposed, // ProposeWorker.Propose
+            CorrectionState.Refused, // ProposeWorker.Propose, ProposeWorker.WorkAsync
+            CorrectionState.Superseded, // ProposeWorker.Supersede
+        ],
+        [CorrectionState.Proposed] =
+        [
+            CorrectionState.Approved, // ProposeWorker.ApproveByPolicy, CorrectionDecisions.Approve
+            CorrectionState.Rejected, // CorrectionDecisions.Reject
+            CorrectionState.Superseded, // ProposeWorker.Supersede, Recalculation.Recalculate
+        ],
+        [CorrectionState.Approved] =
+        [
+            CorrectionState.Uploading, // SlotWorker.TakeAsync
+            CorrectionState.Rejected, // CorrectionDecisions.Reject
+            CorrectionState.Superseded, // ProposeWorker.Supersede, Recalculation.Recalculate
+        ],
+        [CorrectionState.Uploading] =
+        [
+            CorrectionState.Verified, // SlotWorker.Verify
+            CorrectionState.Approved, // SlotWorker.GiveBackAsync
+            CorrectionState.Failed, // SlotWorker.Fail
+        ],
+        [CorrectionState.Verified] =
+        [
+            CorrectionState.Released, // HeldProgram.LookForReadyAsync, SlotRelease.ReleaseAsync
+            CorrectionState.Reverted, // SlotReversal.RevertAsync
+        ],
+        [CorrectionState.Released] =
+        [
+            CorrectionState.Reverted, // SlotReversal.RevertAsync
+        ],
+        [CorrectionState.Failed] =
+        [
+            CorrectionState.Approved, // CorrectionDecisions.Approve
+            CorrectionState.Rejected, // CorrectionDecisions.Reject
+            CorrectionState.Superseded, // ProposeWorker.Supersede, Recalculation.Recalculate
+        ],
         [CorrectionState.Superseded] = [],
         [CorrectionState.Recorded] = [],
         [CorrectionState.Refused] = [],

@@ -1,6 +1,10 @@
+using System.Reflection;
+using System.Text.RegularExpressions;
+using ErrorMatching.Testing;
+
 namespace ErrorMatching.Cell.Tests;
 
-public sealed class CorrectionStepsTests
+public sealed partial class CorrectionStepsTests
 {
     [Fact]
     public void Every_state_has_its_row() => Assert.All(Enum.GetValues<CorrectionState>(), s => Assert.NotNull(CorrectionSteps.From(s)));
@@ -34,4 +38,20 @@ public sealed class CorrectionStepsTests
         Assert.Equal(
             [CorrectionState.Uploading], Enum.GetValues<CorrectionState>().Where(s => CorrectionSteps.Allows(s, CorrectionState.Verified)));
     }
+
+    [Fact]
+    public void Each_step_names_the_methods_that_take_it()
+    {
+        var table = File.ReadAllText(Repository.PathTo("src", "ErrorMatching.Cell", "States", "CorrectionSteps.cs"));
+        var steps = Step().Matches(table);
+        Assert.Equal(Enum.GetValues<CorrectionState>().Sum(s => CorrectionSteps.From(s).Count), steps.Count);
+        Assert.All(steps.SelectMany(s => s.Groups["by"].Value.Split(", ")), by => Assert.NotEmpty(Named(by.Split('.'))));
+    }
+
+    private static MemberInfo[] Named(string[] method) =>
+        typeof(CorrectionSteps).Assembly.GetType($"ErrorMatching.Cell.{method[0]}")?.GetMember(
+            method[1], BindingFlags.Instance | BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic) ?? [];
+
+    [GeneratedRegex(@"CorrectionState\.\w+, // (?<by>.+)", RegexOptions.ExplicitCapture, Timeout.Infinite)]
+    private static partial Regex Step();
 }
