@@ -98,3 +98,69 @@ internal sealed class Recognizer
 
     private static string Shown(string fileName) => fileName.Length <= MostShown ? fileName : fileName[..MostShown] + "...";
 }
+
+/// <summary>Which job and piece a file belongs to, or why that cannot be decided.</summary>
+public sealed record RecognitionResult
+{
+    /// <summary>Code of a file that no job takes.</summary>
+    public const string UnknownPiece = "unknown-piece";
+
+    /// <summary>Code of a file that several jobs take.</summary>
+    public const string AmbiguousPiece = "ambiguous-piece";
+
+    /// <summary>Code of a file whose patterns capture several serial numbers or work orders.</summary>
+    public const string ContradictoryPiece = "contradictory-piece";
+
+    /// <summary>Code of a file whose job can no longer be read.</summary>
+    public const string UnusableJob = "unusable-job";
+
+    /// <summary>Code of a file that exceeds the gauge's size limit.</summary>
+    public const string TooLarge = "file-too-large";
+
+    /// <summary>The job; null if the file is refused.</summary>
+    public CellJobSettings? Job { get; init; }
+
+    /// <summary><c>part</c>, <c>counterpart</c> or <c>surface</c>; null if the file is refused.</summary>
+    public string? Piece { get; init; }
+
+    /// <summary>Serial number of the piece; null if no pattern captures it.</summary>
+    public string? Serial { get; init; }
+
+    /// <summary>The work order; null if no pattern captures it.</summary>
+    public string? WorkOrder { get; init; }
+
+    /// <summary>Stable code for why the file is refused: one of the codes here, or the code of a measurement that cannot be read. Null if
+    /// it is recognized.</summary>
+    public string? Code { get; init; }
+
+    /// <summary>The reason in a setter's terms; null if the file is recognized.</summary>
+    public Statement? Reason { get; init; }
+
+    internal static RecognitionResult Refused(string code, Statement reason) => new() { Code = code, Reason = reason };
+}
+
+/// <summary>A file whose content is read at most once, and only if a pattern needs it.</summary>
+/// <param name="name">Its name.</param>
+/// <param name="bytes">Its content.</param>
+/// <param name="format">Its format; null for a probing log.</param>
+internal sealed class LookInside(string name, ReadOnlyMemory<byte> bytes, MeasurementFormat? format)
+{
+    private MeasurementFile? _table;
+    private IReadOnlyList<HeaderField>? _fields;
+
+    public string Name => name;
+
+    /// <summary>The values of a header field; none if the file does not have it.</summary>
+    /// <exception cref="InputException">The file cannot be read.</exception>
+    public IReadOnlyList<string> HeaderField(string field)
+    {
+        _fields ??= format is null ? ProbingLogHeader.Read(bytes.Span) : Table().HeaderFields;
+        return [.. _fields.Where(f => string.Equals(f.Name, field, StringComparison.OrdinalIgnoreCase)).Select(f => f.Value)];
+    }
+
+    /// <summary>The values of a column; none if the file does not have it.</summary>
+    /// <exception cref="InputException">The file cannot be read.</exception>
+    public IReadOnlyList<string> Column(string column) => format is null ? [] : Table().ColumnTexts(column) ?? [];
+
+    private MeasurementFile Table() => _table ??= MeasurementReader.Read(bytes, name, format!);
+}

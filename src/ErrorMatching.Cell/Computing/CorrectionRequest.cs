@@ -1,3 +1,5 @@
+using System.Security.Cryptography;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>The inputs of a correction, except for the job's own files.</summary>
@@ -37,4 +39,13 @@ public sealed record CorrectionRequest
     /// <summary>The correction's identity from recognition; null if it has none yet. If the final identity differs, the correction is
     /// refused: the job's files have changed.</summary>
     public string? Identity { get; init; }
+}
+
+/// <summary>A file that the cell stores, held in memory: it is not read from disk again.</summary>
+/// <param name="Name">Its name on arrival, without folders.</param>
+/// <param name="Bytes">Its content.</param>
+public sealed record StoredFile(string Name, ReadOnlyMemory<byte> Bytes)
+{
+    /// <summary>SHA-256 of its content as 64 lower-case hexadecimal digits.</summary>
+    public string Sha256 => Convert.ToHexStringLower(SHA256.HashData(Bytes.Span));
 }

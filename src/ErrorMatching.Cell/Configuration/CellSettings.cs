@@ -46,3 +46,12 @@ public sealed record CellSettings
     /// <summary>Warnings, in document order, such as plain FTP or a gauge that no job uses.</summary>
     public IReadOnlyList<Refusal> Warnings { get; init; } = [];
 }
+
+/// <summary>Who approves what.</summary>
+/// <param name="Automatic">True if the cell itself approves corrections within the limits; otherwise a person approves each one.</param>
+/// <param name="LimitMm">The largest displacement of one correction in mm; larger ones are refused. Null: only the job's own limit
+/// applies.</param>
+/// <param name="SumLimitMm">The largest sum of displacements since the original program in mm. Null: the limit for one correction
+/// applies.</param>
+/// <param name="Gain">Replaces the job's gain; null keeps the job's.</param>
+public sealed record PolicySettings(bool Automatic, double? LimitMm, double? SumLimitMm, double? Gain);

@@ -161,3 +161,17 @@ internal abstract class CellDatabase : IDisposable
         }
     }
 }
+
+/// <summary>The right to send to a slot; one process at a time can hold it. It ends when disposed of, or with the process, however that
+/// ends.</summary>
+public interface ISlotLock : IDisposable
+{
+    /// <summary>Checks whether it is still held: a server may have gone away and given it to another cell.</summary>
+    bool IsHeld { get; }
+}
+
+/// <summary>Progress of a long operation on a store.</summary>
+/// <param name="Doing">What is being done, in a few words.</param>
+/// <param name="Done">The amount done.</param>
+/// <param name="Of">The total; 0 if unknown.</param>
+public readonly record struct CellProgress(string Doing, long Done, long Of);

@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>Why a store call failed. Nothing of the call was stored, except as noted under <see cref="Away"/>.</summary>
@@ -55,4 +57,20 @@ public enum StoreError
 
     /// <summary>The database returned an unexpected error.</summary>
     Unknown,
+}
+
+/// <summary>A store call failed.</summary>
+/// <param name="error">The kind of failure.</param>
+/// <param name="message">A sentence for a setter: what could not be done, why, what to do next. No secrets.</param>
+/// <param name="cause">The underlying error; null if there is none.</param>
+public sealed class StoreException(StoreError error, Statement message, Exception? cause = null) : Exception(message?.Sentence, cause)
+{
+    /// <summary>The kind of failure.</summary>
+    public StoreError Error => error;
+
+    /// <summary>The message as it is recorded.</summary>
+    public Statement Statement => message;
+
+    /// <summary>True if the same call may well succeed a little later without intervention.</summary>
+    public bool IsWorthAnotherTry => error is StoreError.Away or StoreError.Locked;
 }

@@ -310,3 +310,15 @@ public sealed class ProgramSender(
         $"{folder.Machine}: {program} was read back after it {when} and is not what was sent. {then} If it happens again, look for a bad "
             + $"cable or a full or failing disk at the machine, or for a server that converts texts.");
 }
+
+/// <summary>A slot's program may not be replaced without asking a person. It is unchanged.</summary>
+/// <param name="found">What the machine holds; null if nothing.</param>
+/// <param name="message">A sentence for a setter.</param>
+public sealed class ChangedAtMachineException(byte[]? found, Statement message) : Exception(message?.Sentence)
+{
+    /// <summary>What the machine holds; null if nothing.</summary>
+    public byte[]? Found => found;
+
+    /// <summary>The message as it is recorded.</summary>
+    public Statement Statement => message;
+}

@@ -1,3 +1,5 @@
+using ErrorMatching.Reporting;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>Why a user may not do something, or why an operation on users or secrets failed.</summary>
@@ -53,4 +55,20 @@ public enum PeopleError
 
     /// <summary>The store was sealed with a key that is missing from the key folder.</summary>
     KeysMissing,
+}
+
+/// <summary>A person may not do something, or an operation on users or secrets failed.</summary>
+/// <param name="error">The reason.</param>
+/// <param name="message">A sentence for the caller: the problem and what to do. No secrets.</param>
+/// <param name="cause">The underlying error; null if there is none.</param>
+public sealed class PeopleException(PeopleError error, Statement message, Exception? cause = null) : Exception(message?.Sentence, cause)
+{
+    /// <summary>The reason.</summary>
+    public PeopleError Error => error;
+
+    /// <summary>The message as it is recorded.</summary>
+    public Statement Statement => message;
+
+    /// <summary>When the lock on the name ends; null unless it is locked.</summary>
+    public DateTimeOffset? LockedUntil { get; init; }
 }

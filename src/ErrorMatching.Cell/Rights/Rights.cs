@@ -34,3 +34,50 @@ public static class Rights
     /// <summary>True if the act requires its own password entry, however recently the user signed in.</summary>
     public static bool IsSigned(Act act) => Table[act].IsSigned;
 }
+
+/// <summary>A user's role. Each role includes the rights of those before it.</summary>
+public enum Role
+{
+    /// <summary>Sees, releases and rejects.</summary>
+    Operator,
+
+    /// <summary>Approves, reverts and edits jobs.</summary>
+    Setter,
+
+    /// <summary>Manages users, machines and policy.</summary>
+    Administrator,
+}
+
+/// <summary>What people do to a cell. <see cref="Rights"/> defines who may do it.</summary>
+public enum Act
+{
+    /// <summary>Viewing corrections, reports and the history.</summary>
+    See,
+
+    /// <summary>Reporting that a piece is cut, which frees its slot.</summary>
+    Release,
+
+    /// <summary>Rejecting a correction.</summary>
+    Reject,
+
+    /// <summary>Approving a correction for its machine.</summary>
+    Approve,
+
+    /// <summary>Restoring the program that a slot held before.</summary>
+    Revert,
+
+    /// <summary>Changing jobs that are in use, and putting others in their place.</summary>
+    EditJobs,
+
+    /// <summary>Saving jobs that are not in use.</summary>
+    PrepareJobs,
+
+    /// <summary>Adding users, changing their roles and passwords, disabling them.</summary>
+    ManageUsers,
+
+    /// <summary>Changing machines and setting their passwords.</summary>
+    ManageMachines,
+
+    /// <summary>Changing who approves what, and the limits.</summary>
+    ManagePolicy,
+}

@@ -163,3 +163,54 @@ public sealed class CellRunner
         flow.Settings.Machines.SelectMany(m => m.Slots.Select(
             s => (m.Name, s.Name, (long)flow.Store.Corrections.Line(m.Name, s.Name).Count)));
 }
+
+/// <summary>The workers of all gauges, which listen for folder changes until they are disposed of.</summary>
+internal sealed class Sources(CellFlow flow, Func<MachineSettings, IMachineFolder> open) : IDisposable
+{
+    /// <summary>Each gauge's name and worker.</summary>
+    public IReadOnlyList<(string Gauge, SourceWorker Source)> All { get; } = [
+        .. flow.Settings.Gauges.Select(g => (g.Name, new SourceWorker(flow, g, open)))];
+
+    public void Dispose()
+    {
+        foreach (var (_, source) in All)
+        {
+            source.Dispose();
+        }
+    }
+}
+
+/// <summary>The program folders of all machines, open as long as a cell runs.</summary>
+internal sealed class OpenFolders(CellSettings settings, Func<MachineSettings, IMachineFolder> open) : IDisposable
+{
+    /// <summary>Each machine and its folder.</summary>
+    public IReadOnlyList<(MachineSettings Machine, IMachineFolder Folder)> All { get; } = [.. settings.Machines.Select(m => (m, open(m)))];
+
+    public void Dispose()
+    {
+        foreach (var (_, folder) in All)
+        {
+            folder.Dispose();
+        }
+    }
+}
+
+/// <summary>Detects changes to the store by other processes, such as an approval at the console, and wakes the workers.</summary>
+internal sealed class StoreWatch(CellFlow flow)
+{
+    private long _seen = -1;
+
+    /// <summary>Checks once.</summary>
+    public Task<TimeSpan> WorkAsync(CancellationToken stop)
+    {
+        stop.ThrowIfCancellationRequested();
+        var now = flow.Store.HeardOf();
+        if (now != _seen)
+        {
+            _seen = now;
+            flow.TellAll();
+        }
+
+        return Task.FromResult(flow.Pace.Store);
+    }
+}

@@ -1,3 +1,4 @@
+using System.Collections.Concurrent;
 using System.Text.Json.Serialization;
 
 namespace ErrorMatching.Cell;
@@ -51,4 +52,16 @@ public sealed record GaugeBacklog(
         stored.TryGetValue(gauge, out var pieces)
             ? new(gauge, files.Count, files.Since, pieces.Count, pieces.Since)
             : new(gauge, files.Count, files.Since, 0, null);
+}
+
+/// <summary>What waits at the gauges of a running cell, as it was counted last.</summary>
+internal sealed class Backlogs
+{
+    private readonly ConcurrentDictionary<string, GaugeBacklog> _all = new(StringComparer.Ordinal);
+
+    /// <summary>The gauges that were counted, by name.</summary>
+    public IReadOnlyList<GaugeBacklog> All => [.. _all.Values.OrderBy(b => b.Gauge, StringComparer.Ordinal)];
+
+    /// <summary>Notes what was counted.</summary>
+    public void Note(GaugeBacklog backlog) => _all[backlog.Gauge] = backlog;
 }

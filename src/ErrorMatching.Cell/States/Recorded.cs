@@ -434,3 +434,59 @@ public static class Recorded
     /// <summary>Reads a text of the store. What earlier versions wrote in English is words.</summary>
     internal static Statement Read(string text) => Statement.Read(text, Known);
 }
+
+/// <summary>The forms of what the cell states about archives.</summary>
+public static class RecordedThinning
+{
+    /// <summary>The word of the audit trail's entries about an archive.</summary>
+    internal const string Thinned = "thinned";
+
+    /// <summary>The subject of such an entry: the archive's name.</summary>
+    public static SentenceForm Archive { get; } = new("archive", "archive {0}");
+
+    /// <summary>What was moved: number of contents, stored bytes, SHA-256 of the archive, the date of the policy, and how many corrections
+    /// of each slot stay.</summary>
+    public static SentenceForm Moved { get; } = new(
+        "contents-moved",
+        "{0:0} contents with {1:0} bytes were moved there; SHA-256 of the file {2}. They belong to corrections from before "
+            + "{3:yyyy-MM-dd} that are not among the last {4:0} of their slots, and that nothing needs any more.");
+
+    internal static readonly SentenceForm Unrecorded = new(
+        "archive-unrecorded",
+        "Content {0} is said to be in the archive {1}, and no entry of the audit trail says that it was moved there.");
+
+    internal static readonly SentenceForm Lacks = new("archive-lacks", "Content {0} is not in the archive {1} as it was kept.");
+
+    internal static readonly SentenceForm Unusable = new("archive-unusable", "The archive {0} cannot be used: {1}");
+
+    /// <summary>All forms.</summary>
+    public static IReadOnlyList<SentenceForm> All { get; } = [Archive, Moved, Unrecorded, Lacks, Unusable];
+}
+
+/// <summary>The forms of why a cell reads its whole audit trail instead of going on from a checkpoint.</summary>
+internal static class RecordedCheckpoint
+{
+    /// <summary>There is no checkpoint.</summary>
+    internal static readonly SentenceForm Missing = new(
+        "checkpoint-missing", "The store has no checkpoint of its audit trail: all of the trail is read before the first program is sent.");
+
+    /// <summary>It was made by other code, which may judge entries differently.</summary>
+    internal static readonly SentenceForm OfOtherBuild = new(
+        "checkpoint-of-other-build",
+        "Another build of the program made the checkpoint of the audit trail: all of the trail is read before the first program is sent.");
+
+    /// <summary>Somebody without the key wrote it: the number of its entry.</summary>
+    internal static readonly SentenceForm Foreign = new(
+        "checkpoint-foreign",
+        "The checkpoint of the audit trail, at entry {0:0}, is not what the cell wrote there: somebody else wrote to the store. It is not "
+            + "used, and all of the trail is read.");
+
+    /// <summary>It belongs to another trail, or the store was set back: the number of its entry.</summary>
+    internal static readonly SentenceForm Astray = new(
+        "checkpoint-astray",
+        "The checkpoint of the audit trail is of entry {0:0}, and that entry is missing or another one. It is not used, and all of the "
+            + "trail is read.");
+
+    /// <summary>All forms.</summary>
+    public static IReadOnlyList<SentenceForm> All { get; } = [Missing, OfOtherBuild, Foreign, Astray];
+}
