@@ -58,7 +58,7 @@ internal sealed partial class ContentArchive : IDisposable
         return OpenFile(Path.Combine(folder!, name!));
     }
 
-    /// <summary>The same for a file of another name, as while it is written.</summary>
+    /// <summary>Opens an archive whose file does not have its final name, as while it is written.</summary>
     /// <exception cref="StoreException">With <see cref="StoreError.Denied"/> or <see cref="StoreError.Damaged"/>.</exception>
     public static ContentArchive OpenFile(string file)
     {

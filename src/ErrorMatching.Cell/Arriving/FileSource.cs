@@ -32,7 +32,8 @@ internal sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDis
 
     /// <summary>Takes the finished files, in order of modification time.</summary>
     /// <param name="archive">Stores an arrival permanently before it returns. If it throws, the file is left for the next look.</param>
-    /// <param name="archiveUnread">The same for a file that is too large to store.</param>
+    /// <param name="archiveUnread">Records a file that is too large to store, permanently before it returns. If it throws, the file is left
+    /// for the next look.</param>
     /// <param name="cancellation">Checked between files.</param>
     /// <returns>How many were taken.</returns>
     /// <exception cref="SourceException">The folder cannot be read.</exception>

@@ -126,13 +126,13 @@ internal sealed class FinishedFiles(GaugeSettings gauge, TimeProvider clock)
 /// <param name="Reason">Why, and what to do, in a setter's terms.</param>
 public sealed record LeftFile(string Name, string Reason);
 
-/// <summary>Looks for the mark in the last line of a file.</summary>
+/// <summary>Finds out by its last line whether a file is complete.</summary>
 internal static class EndMark
 {
     // Room for the last line and the blank ones after it; a file with more blanks at its end counts as unfinished.
     private const int Tail = 4096;
 
-    /// <summary>The same for a file; also false if the file cannot be opened yet.</summary>
+    /// <summary>True if the last nonblank line of a file is the mark; false if it is not, or if the file cannot be opened yet.</summary>
     public static bool Ends(FileInfo file, string mark)
     {
         try
@@ -149,7 +149,8 @@ internal static class EndMark
         }
     }
 
-    /// <summary>True if the last nonblank line is the mark. The percent sign that a control closes a file with is not a line.</summary>
+    /// <summary>True if the last nonblank line of a content is the mark. The percent sign that a control closes a file with is not a
+    /// line.</summary>
     public static bool Ends(ReadOnlySpan<byte> bytes, string mark)
     {
         var line = bytes.TrimEnd(mark.EndsWith('%') ? " \t\r\n\0"u8 : " \t\r\n\0%"u8);

@@ -19,7 +19,7 @@ internal sealed record NothingToSend(CorrectionBasis Basis, string Code, Stateme
     /// <summary>How well a counterpart fits its part, as JSON (<c>errormatch/verify/1</c>); null if nothing was compared.</summary>
     public ReadOnlyMemory<byte>? Report { get; init; }
 
-    /// <summary>The same as a page.</summary>
+    /// <summary>The report as a page; null if nothing was compared.</summary>
     public ReadOnlyMemory<byte>? Page { get; init; }
 
     /// <summary>True if the page was drawn from the report alone.</summary>

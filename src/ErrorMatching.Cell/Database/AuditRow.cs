@@ -15,7 +15,7 @@ internal static class AuditRow
         RowCodes = row.TextOrNull(8),
     };
 
-    /// <summary>The same for a row that somebody else may have written: one that cannot be read becomes an entry without a hash.</summary>
+    /// <summary>Reads a row that somebody else may have written: one that cannot be read becomes an entry without a hash.</summary>
     public static AuditEntry ReadOrUnreadable(DbDataReader row)
     {
         try

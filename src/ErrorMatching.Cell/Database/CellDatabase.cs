@@ -41,8 +41,8 @@ internal abstract class CellDatabase : IDisposable
         return read(connection, transaction);
     });
 
-    /// <summary>The same with two connections for two cores. Every change moves the end of the audit trail, so two views with the same end
-    /// are of one state.</summary>
+    /// <summary>Runs a read on two snapshots of the same state, on two connections for two cores. Every change moves the end of the audit
+    /// trail, so two snapshots with the same end are of one state.</summary>
     /// <exception cref="StoreException">With <see cref="StoreError.Locked"/> if others change the store so often that no two views
     /// agree.</exception>
     public T TwoSnapshots<T>(Func<DbConnection, DbTransaction, DbTransaction, T> read)

@@ -16,7 +16,7 @@ internal static class ContentRow
     public static PackedContent Read(DbDataReader row) => new(
         row.GetFieldValue<byte[]>(0), row.TextOrNull(1), row.IsDBNull(2) ? null : row.GetInt64(2), row.TextOrNull(3), row.TextOrNull(4));
 
-    /// <summary>The same; null for a row that somebody else wrote and that cannot be read.</summary>
+    /// <summary>Reads a row's content; null if somebody else wrote the row and it cannot be read.</summary>
     public static PackedContent? ReadOrNull(DbDataReader row)
     {
         try

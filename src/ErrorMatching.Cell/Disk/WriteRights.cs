@@ -21,8 +21,8 @@ internal static class WriteRights
         ? null
         : Find(path, UnixFileMode.GroupWrite, UnixFileMode.GroupExecute, MostLinks);
 
-    /// <summary>The same for a folder in which files are made beside others, such as a database's log: there, the sticky bit helps
-    /// nothing.</summary>
+    /// <summary>The file or folder by which everybody may add files to a folder or change those in it; null if nobody may. The sticky bit
+    /// does not help where files are created next to others, as a database's log is.</summary>
     public static string? OfEverybodyInside(string folder) =>
         OfEverybody(folder) ?? (!OperatingSystem.IsWindows() && IsReached(folder) && ModeOf(folder) is { } mode
             && mode.HasFlag(UnixFileMode.OtherWrite | UnixFileMode.OtherExecute) ? folder : null);

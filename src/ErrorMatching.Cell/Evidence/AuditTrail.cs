@@ -27,7 +27,8 @@ public sealed class AuditTrail(CellStore store, string keysFolder, string? witne
     /// <summary>Checks every entry of one snapshot of the trail. An intact end is remembered next to the keys, if they exist.</summary>
     public AuditFinding Verify() => Verify(null, CancellationToken.None);
 
-    /// <summary>The same, with progress and cancellation.</summary>
+    /// <summary>Checks every entry of one snapshot of the trail and reports progress. An intact end is remembered next to the keys, if they
+    /// exist.</summary>
     /// <param name="progress">Receives progress; null for no reports.</param>
     /// <param name="cancellation">Cancels the check.</param>
     public AuditFinding Verify(IProgress<CellProgress>? progress, CancellationToken cancellation)
@@ -169,7 +170,7 @@ public sealed class AuditTrail(CellStore store, string keysFolder, string? witne
     /// <returns>The number of entries.</returns>
     public long Export(TextWriter writer) => Export(writer, null, CancellationToken.None);
 
-    /// <summary>The same, with progress and cancellation.</summary>
+    /// <summary>Writes all entries as CSV, as <see cref="Export(TextWriter)"/> does, and reports progress.</summary>
     /// <param name="writer">The destination.</param>
     /// <param name="progress">Receives progress; null for no reports.</param>
     /// <param name="cancellation">Cancels the export.</param>

@@ -43,7 +43,7 @@ public sealed class ReplacementGuard
         return MayReplace(state, MachinePrograms.Identify(_machine, program, contents)) ? null : Why(state, program);
     }
 
-    /// <summary>The same, with contents that are read only if it depends on them.</summary>
+    /// <summary>Asks whether a program may be replaced now, and reads its contents only if the answer depends on them.</summary>
     internal async Task<Statement?> WhyNotAsync(
         string program,
         Func<CancellationToken, Task<IReadOnlyCollection<ReadOnlyMemory<byte>?>>> contents,

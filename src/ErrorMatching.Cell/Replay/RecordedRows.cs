@@ -10,7 +10,7 @@ namespace ErrorMatching.Cell;
 /// <param name="key">The key of the row codes; null if missing: then codes are compared with the trail's, but not with the rows.</param>
 internal sealed class RecordedRows(DbConnection connection, DbTransaction transaction, AuditReplay replay, byte[]? key)
 {
-    /// <summary>The same, within a change.</summary>
+    /// <summary>Compares the rows as a change in progress sees them.</summary>
     public RecordedRows(StoreTransaction change, AuditReplay replay, byte[]? key)
         : this(change.Connection, change.Transaction, replay, key)
     {
@@ -70,7 +70,7 @@ internal sealed class RecordedRows(DbConnection connection, DbTransaction transa
             : OfCode(row.Coded, row.Code, seq => Recorded.SlotDiffers.With(slot.Slot, slot.Machine, seq));
     }
 
-    /// <summary>The same, and whether the slot has the correction that it must have.</summary>
+    /// <summary>What is wrong with the row of a slot, or with another correction that must have the slot; null if nothing is.</summary>
     public AuditFault? OfSlotAndHolder(StoredRow<SlotHolding> row) => OfSlot(row) ?? Query(
         CorrectionRow.SelectKept + $" WHERE {CorrectionRow.IsIn("state", CorrectionState.Uploading, CorrectionState.Verified)}",
             CorrectionRow.ReadKept, "correction")

@@ -29,7 +29,7 @@ internal sealed record CutProgram(Correction? By, Correction? Undecided)
             : new(last, null);
     }
 
-    /// <summary>The same for a correction already computed from the measurement: the program that cut a piece no longer changes.</summary>
+    /// <summary>The program that cut the piece of a correction that is already computed: it no longer changes.</summary>
     /// <param name="store">The store.</param>
     /// <param name="made">A correction that was computed for a job that accumulates.</param>
     /// <returns>The correction whose program it adds to; null for the original program.</returns>

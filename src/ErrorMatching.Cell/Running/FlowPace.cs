@@ -6,7 +6,7 @@ internal sealed record FlowPace
     /// <summary>How often to look for work without a signal.</summary>
     public TimeSpan Idle { get; init; } = TimeSpan.FromSeconds(5);
 
-    /// <summary>The same while the store tells of every change.</summary>
+    /// <summary>How often to look for work without a signal while the store reports every change.</summary>
     public TimeSpan Told { get; init; } = TimeSpan.FromMinutes(1);
 
     /// <summary>How often to check whether another process changed the store.</summary>

@@ -14,7 +14,7 @@ public static class RecordedOffset
     public static SentenceForm Radius { get; } = new(
         "offset-radius", $"offset of the control: radius D{{0:0}} by {{1:{Length}}} mm, {{2:{Length}}} mm in all.");
 
-    /// <summary>The same where offsets belong to tools: the tool's number first.</summary>
+    /// <summary>A radius offset of a control whose offsets belong to tools: tool, number, the step and the correction in all, mm.</summary>
     public static SentenceForm RadiusOfTool { get; } = new(
         "offset-radius-of-tool",
         $"offset of the control: radius of tool {{0:0}}, D{{1:0}}, by {{2:{Length}}} mm, {{3:{Length}}} mm in all.");
@@ -25,7 +25,8 @@ public static class RecordedOffset
         $"offset of the control: work offset {{0:0}} by X {{1:{Length}}} Y {{2:{Length}}} mm, X {{3:{Length}}} Y {{4:{Length}}} mm "
             + "in all.");
 
-    /// <summary>The same with the rotation of the step and in all, degrees.</summary>
+    /// <summary>A work offset that turns, too: its number, then X, Y and rotation of the step and of the correction in all, mm and
+    /// degrees.</summary>
     public static SentenceForm WorkTurned { get; } = new(
         "offset-work-turned",
         $"offset of the control: work offset {{0:0}} by X {{1:{Length}}} Y {{2:{Length}}} mm and {{3:{Turn}}} degrees, X {{4:{Length}}} "

@@ -137,7 +137,7 @@ internal static class HistorySearch
                 ? $"{column} IN (SELECT DISTINCT {column} FROM correction WHERE {Is(column, parameter)})"
                 : Is(column, parameter);
 
-        // The same for a column of few names.
+        // A condition on a column of few names.
         string Known(string column, string parameter, bool isAll) =>
             query.IsLoose && isAll ? Among("correction", column, parameter) : Is(column, parameter);
 

@@ -2,13 +2,13 @@ using System.Collections.Concurrent;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Enumerates on a second core what is used here, some pages ahead. Memory stays flat, whatever the length.</summary>
+/// <summary>Reads a sequence on a second core, some pages ahead of its consumer. Memory stays flat, whatever the length.</summary>
 internal static class ReadAhead
 {
     private const int PageLength = 1024;
     private const int MostPages = 8;
 
-    /// <summary>The same elements in the same order.</summary>
+    /// <summary>The elements, in their order.</summary>
     public static IEnumerable<T> Of<T>(IEnumerable<T> elements)
     {
         using var pages = new BlockingCollection<T[]>(MostPages);
