@@ -89,7 +89,9 @@ internal sealed class Recognizer
 
     // The job reads the file itself, because its rules may need columns of its own format.
     private static string Decide(MatingJob job, string fileName, ReadOnlyMemory<byte> bytes) =>
-        job.Recognition!.Decide(MeasurementReader.Read(bytes, fileName, job.Gauge.Format)) == SourceSide.Part ? "part" : "counterpart";
+        job.Recognition!.Decide(MeasurementReader.Read(bytes, fileName, job.Gauge.Format)) == SourceSide.Part
+            ? PieceWords.Part
+            : PieceWords.Counterpart;
 
     private Statement Asked(string gauge) =>
         _patterns.Where(p => p.Job.Gauges.Contains(gauge, StringComparer.Ordinal)).ToArray() is { Length: > 0 } asked

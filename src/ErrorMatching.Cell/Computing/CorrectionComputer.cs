@@ -50,11 +50,11 @@ public sealed class CorrectionComputer(PolicySettings policy)
             var job = InputFile.Bytes(request.Job.File, JsonLimits.Default.MaxBytes);
             var computation = request.Piece switch
             {
-                "part" or "counterpart" =>
+                PieceWords.Part or PieceWords.Counterpart =>
                     isAll
                         ? new MatingCorrection(request, holds, job).Compute(cancellation)
                         : new MatingCorrection(request, holds, job).Identify(),
-                "surface" =>
+                PieceWords.Surface =>
                     isAll
                         ? new SurfaceCorrection(request, holds, job).Compute(cancellation)
                         : new SurfaceCorrection(request, holds, job).Identify(),

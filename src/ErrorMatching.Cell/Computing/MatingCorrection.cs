@@ -28,7 +28,7 @@ internal sealed class MatingCorrection
 
     private bool IsFeedback => _files.Job.Compensation.From == CompensationSource.Counterpart;
 
-    private bool IsOfPart => _request.Piece == "part";
+    private bool IsOfPart => _request.Piece == PieceWords.Part;
 
     // The piece whose measurement makes the program: the part in feed-forward, the counterpart itself in feedback. The other piece is
     // evidence.

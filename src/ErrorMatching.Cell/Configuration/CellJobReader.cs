@@ -33,7 +33,8 @@ internal sealed class CellJobReader(
             File = file,
             IsFreeform = job?.Freeform is not null,
             Piece = item.Find("piece")?.Text
-                ?? (job is null || job.Decides ? null : job.Freeform is not null ? "surface" : job.IsFeedback ? "counterpart" : "part"),
+                ?? (job is null || job.Decides ? null : job.Freeform is not null ? PieceWords.Surface
+                    : job.IsFeedback ? PieceWords.Counterpart : PieceWords.Part),
             Gauges = [.. item["gauges"].Items.Select(g => g.Text).Distinct(StringComparer.Ordinal)],
             Recognize = patterns.Read(),
             Machine = item["machine"].Text,
@@ -176,7 +177,7 @@ internal sealed class CellJobReader(
 
     private void CheckPiece(JsonItem piece, NamedJob job)
     {
-        if (piece.Text == "surface" != job.Freeform is not null)
+        if (piece.Text == PieceWords.Surface != job.Freeform is not null)
         {
             problems.Refuse(
                 piece,

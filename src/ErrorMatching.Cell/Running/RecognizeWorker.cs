@@ -51,13 +51,13 @@ internal sealed class RecognizeWorker(CellFlow flow)
             Program = slot.Program
         };
         var before = Before(known);
-        var cut = !job.Accumulates || known.Piece is not ("counterpart" or "surface")
+        var cut = !job.Accumulates || known.Piece is not (PieceWords.Counterpart or PieceWords.Surface)
             ? new(null, null)
             : before is { SumsSha256: not null }
             ? new(CutProgram.Before(flow.Store, before), null)
             : CutProgram.Of(flow.Store, known);
         var cutBy = cut.By;
-        var part = known.Piece != "counterpart" ? null : PartOf(before) ?? LastCut(known, job) ?? LastPart(known, job);
+        var part = known.Piece != PieceWords.Counterpart ? null : PartOf(before) ?? LastCut(known, job) ?? LastPart(known, job);
         known = known with { BaseSha256 = cutBy?.ProgramSha256, SumsSha256 = cutBy?.SumsSha256, PartSha256 = part?.MeasurementSha256 };
         if (Earlier(known, job) is { } earlier)
         {
@@ -131,7 +131,9 @@ internal sealed class RecognizeWorker(CellFlow flow)
             : null;
 
     private Correction? PartOf(Correction? counterpart) =>
-        counterpart?.PartSha256 is { } part ? flow.Store.Corrections.OfMeasurement(part).LastOrDefault(c => c.Piece == "part") : null;
+        counterpart?.PartSha256 is { } part
+            ? flow.Store.Corrections.OfMeasurement(part).LastOrDefault(c => c.Piece == PieceWords.Part)
+            : null;
 
     // If corrections accumulate, each has another base program and so another identity. The same file is still the same measurement, and
     // must not be added twice.
@@ -142,7 +144,8 @@ internal sealed class RecognizeWorker(CellFlow flow)
     // The part whose program cut it, if parts make programs. A value that either of the two lacks may be anything.
     private Correction? LastCut(Correction counterpart, CellJobSettings job) => flow.Settings.Jobs.Where(j => j.File == job.File)
         .Select(j => flow.Store.Corrections.LastSent(j.Name, counterpart.Serial)).OfType<Correction>()
-            .Where(c => c.Piece == "part" && (counterpart.WorkOrder is null || c.WorkOrder is null || c.WorkOrder == counterpart.WorkOrder))
+            .Where(c => c.Piece == PieceWords.Part
+                && (counterpart.WorkOrder is null || c.WorkOrder is null || c.WorkOrder == counterpart.WorkOrder))
             .MaxBy(c => c.Id);
 
     // A configuration may name the same job file twice, once for each piece.

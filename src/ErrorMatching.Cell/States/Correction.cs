@@ -121,3 +121,16 @@ public sealed record Correction(
 /// <param name="Basis">The basis: the policy's rule, a person's reason, the machine's response.</param>
 public sealed record CorrectionStep(long Correction, CorrectionState? From, CorrectionState To, DateTimeOffset At, string By,
     Statement Basis);
+
+/// <summary>The pieces that a measurement can be of, as <see cref="Correction.Piece"/> and the store have them.</summary>
+public static class PieceWords
+{
+    /// <summary>The part of a mating.</summary>
+    public const string Part = "part";
+
+    /// <summary>The counterpart of a mating.</summary>
+    public const string Counterpart = "counterpart";
+
+    /// <summary>A free-form surface.</summary>
+    public const string Surface = "surface";
+}

@@ -153,7 +153,7 @@ public sealed class CorrectionQueries
             new[] { serial is null ? null : "serial = @serial", workOrder is null ? null : "work_order = @workOrder" }.OfType<string>());
         var found = Read(
             CorrectionRow.Select
-                + $" WHERE job = @job AND piece = 'part' AND "
+                + $" WHERE job = @job AND piece = '{PieceWords.Part}' AND "
                     + $"{CorrectionRow.IsIn("state", CorrectionState.Recognized, CorrectionState.Recorded)}"
             + (serial is null ? "" : " AND (serial = @serial OR serial IS NULL)")
                 + (workOrder is null ? "" : " AND (work_order = @workOrder OR work_order IS NULL)")

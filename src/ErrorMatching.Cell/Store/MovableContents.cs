@@ -36,7 +36,7 @@ internal static class MovableContents
                 WHERE slot IS NOT NULL) AS line WHERE place <= @KeepLast
             UNION SELECT correction.id FROM correction JOIN slot ON slot.machine = correction.machine AND slot.slot = correction.slot
                 AND (slot.correction = correction.id OR slot.program_sha256 = correction.program_sha256)
-            UNION SELECT max(id) FROM correction WHERE piece = 'part' AND state = 'recorded' GROUP BY job
+            UNION SELECT max(id) FROM correction WHERE piece = '{PieceWords.Part}' AND state = 'recorded' GROUP BY job
             UNION SELECT step.correction FROM step JOIN (
                 SELECT max(sent.id) AS id FROM step AS sent JOIN correction ON correction.id = sent.correction
                 WHERE {CorrectionRow.IsIn("sent.to_state", CorrectionState.Verified)}

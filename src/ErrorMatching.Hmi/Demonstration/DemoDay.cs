@@ -70,7 +70,7 @@ internal sealed class DemoDay(DemoCell cell, TimeProvider clock)
             {
                 await Task.Delay(BetweenSurfaces, clock, end);
             }
-            while (store.Corrections.InState(CorrectionState.Proposed).Any(c => c.Piece == "surface"));
+            while (store.Corrections.InState(CorrectionState.Proposed).Any(c => c.Piece == PieceWords.Surface));
         }
     }
 
@@ -96,7 +96,7 @@ internal sealed class DemoDay(DemoCell cell, TimeProvider clock)
     // The part's gauge measures its counterpart, once, as the sent program cuts it, so that the user sees the effect of the job.
     private void Measure(CellStore store, Correction cut)
     {
-        if (cut is { Piece: "part", Serial: { } serial, ReportSha256: { } report }
+        if (cut is { Piece: PieceWords.Part, Serial: { } serial, ReportSha256: { } report }
             && int.TryParse(serial, NumberStyles.None, CultureInfo.InvariantCulture, out var number)
             && StoredReport.Read(store.Content(report)).Match is { } match && _measured.Add(number))
         {
@@ -110,7 +110,7 @@ internal sealed class DemoDay(DemoCell cell, TimeProvider clock)
     // Computed with the current job, and with an earlier version of it.
     private static (int Current, int Outdated) Waiting(CellStore store, ChangedJobs jobs)
     {
-        var waiting = store.Corrections.InState(CorrectionState.Proposed).Where(c => c.Piece == "part").ToArray();
+        var waiting = store.Corrections.InState(CorrectionState.Proposed).Where(c => c.Piece == PieceWords.Part).ToArray();
         var outdated = jobs.Among(store, waiting).Count;
         return (waiting.Length - outdated, outdated);
     }

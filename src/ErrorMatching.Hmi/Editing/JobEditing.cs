@@ -328,7 +328,7 @@ public sealed class JobEditing : Observable, IDisposable
 
     // If several jobs share a file, as for part and counterpart, use the first that is not the counterpart's.
     private static IEnumerable<CellJobSettings> InUse(CellSettings settings) => settings.Jobs.Where(j => !j.IsFreeform)
-        .GroupBy(j => j.File, StringComparer.Ordinal).Select(g => g.FirstOrDefault(j => j.Piece != "counterpart") ?? g.First());
+        .GroupBy(j => j.File, StringComparer.Ordinal).Select(g => g.FirstOrDefault(j => j.Piece != PieceWords.Counterpart) ?? g.First());
 
     private async Task LoadAsync(CellJobSettings job)
     {

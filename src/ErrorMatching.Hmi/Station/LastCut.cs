@@ -42,6 +42,7 @@ public sealed record LastCut(Correction Correction, bool IsMating, Correction? C
     }
 
     private static bool IsOf(Correction counterpart, Correction cut) =>
-        counterpart is { Piece: "counterpart", PartSha256: not null, State: not (CorrectionState.Rejected or CorrectionState.Superseded) }
+        counterpart is { Piece: PieceWords.Counterpart, PartSha256: not null }
+            && counterpart.State is not (CorrectionState.Rejected or CorrectionState.Superseded)
             && counterpart.PartSha256 == cut.MeasurementSha256;
 }

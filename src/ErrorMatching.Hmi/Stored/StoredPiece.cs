@@ -75,7 +75,7 @@ public sealed record StoredPiece(
     {
         ArgumentNullException.ThrowIfNull(correction);
         ArgumentNullException.ThrowIfNull(report);
-        var isFeedback = correction.Piece == "counterpart";
+        var isFeedback = correction.Piece == PieceWords.Counterpart;
         return new(correction, null, report.Job.Name, report.Prediction, isFeedback)
         {
             Match = report,

@@ -56,7 +56,7 @@ internal static class NextStep
         var mating = settings.Jobs.FirstOrDefault(j => j.Name == correction.Job && !j.IsFreeform);
         return string.Join(
             " / ",
-            settings.Jobs.Where(j => j.File == mating?.File && j.Piece is null or "counterpart")
+            settings.Jobs.Where(j => j.File == mating?.File && j.Piece is null or PieceWords.Counterpart)
                 .SelectMany(j => j.Gauges)
                 .Distinct(StringComparer.Ordinal));
     }
