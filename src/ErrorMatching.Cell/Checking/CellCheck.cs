@@ -11,7 +11,7 @@ namespace ErrorMatching.Cell;
 public sealed record CellCheck(
     IReadOnlyList<CheckedGauge> Gauges, IReadOnlyList<CheckedMachine> Machines, CheckedStore Store, IReadOnlyList<CheckedJob> Jobs)
 {
-    /// <summary>The broker that hears of the steps; null if none is configured.</summary>
+    /// <summary>The broker that steps are published to; null if none is configured.</summary>
     public CheckedBroker? Broker { get; init; }
 
     /// <summary>Errors in what the configuration names: the jobs' files and programs.</summary>

@@ -40,7 +40,7 @@ public sealed record CellSettings
     /// <summary>Who approves what.</summary>
     public required PolicySettings Policy { get; init; }
 
-    /// <summary>The broker that hears of every step; null for none.</summary>
+    /// <summary>The broker that every step is published to; null for none.</summary>
     public EventSettings? Events { get; init; }
 
     /// <summary>Warnings, in document order, such as plain FTP or a gauge that no job uses.</summary>

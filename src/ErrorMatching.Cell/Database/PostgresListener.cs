@@ -2,7 +2,7 @@ using Npgsql;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>Hears of the changes of other processes, on a connection of its own.</summary>
+/// <summary>Listens for changes by other processes, on a connection of its own.</summary>
 internal sealed class PostgresListener : IDisposable
 {
     private static readonly TimeSpan Pause = TimeSpan.FromSeconds(1);

@@ -3,7 +3,7 @@ using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>The MQTT broker that hears of every step of the cell.</summary>
+/// <summary>The MQTT broker that every step of the cell is published to.</summary>
 /// <param name="Host">Name or address.</param>
 /// <param name="Port">Its port.</param>
 /// <param name="Topic">The topic of all messages. One topic, because MQTT keeps the order of messages within a topic only.</param>
@@ -24,7 +24,7 @@ public sealed record EventSettings(
         CultureInfo.InvariantCulture, $"{(IsEncrypted ? "mqtts" : "mqtt")}://{(User is null ? "" : User + "@")}{Host}:{Port}");
 }
 
-/// <summary>Reads the settings of the broker that hears of the steps.</summary>
+/// <summary>Reads the settings of the broker.</summary>
 internal static class EventReader
 {
     private const int PlainPort = 1883;

@@ -30,7 +30,7 @@ internal sealed record SignInFailures(int Failures, DateTimeOffset Last)
         return rows is [var row] ? row : new(0, transaction.Now);
     }
 
-    /// <summary>The failures of a user. Rows can be removed by whoever can write the store, so what the audit trail says counts, too: an
+    /// <summary>The failures of a user. Rows can be removed by anybody who can write the store, so the audit trail counts, too: an
     /// attempt that is compared at this moment is in the row only, and all others are in both.</summary>
     public static SignInFailures Of(StoreTransaction transaction, Person person)
     {

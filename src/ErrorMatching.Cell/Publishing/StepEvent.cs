@@ -3,7 +3,7 @@ using System.Text.Json;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>A step of a correction as the plant hears of it.</summary>
+/// <summary>A step of a correction as it is published to the plant.</summary>
 /// <param name="Entry">The audit entry that recorded it. Its hash is the identity of the message.</param>
 /// <param name="From">The state before; null for an arrival.</param>
 /// <param name="To">The state after.</param>

@@ -41,8 +41,8 @@ internal sealed class StepFeed(CellStore store, CellSettings settings)
 /// <param name="cell">The cell, since several cells may share a store.</param>
 internal sealed class EventCursor(CellStore store, string cell)
 {
-    /// <summary>Starts at the current end of the trail, unless the cell has published before: the plant hears of what happens from now
-    /// on, not of years.</summary>
+    /// <summary>Starts at the current end of the trail, unless the cell has published before: steps of the past are not
+    /// published.</summary>
     /// <exception cref="StoreException">The store cannot be used.</exception>
     public void Begin() => Change(
         "INSERT INTO event_cursor (cell, seq) VALUES (@cell, @seq) ON CONFLICT (cell) DO NOTHING", store.AuditHead().Seq);

@@ -3,7 +3,8 @@ using System.Text.Json;
 
 namespace ErrorMatching.Cell;
 
-/// <summary>What waits at a cell's gauges, as the plant hears of it. It is not a step: the broker keeps the last message only.</summary>
+/// <summary>What waits at a cell's gauges, as it is published to the plant. It is not a step: the broker keeps the last message
+/// only.</summary>
 internal static class BacklogEvent
 {
     /// <summary>The schema of the message.</summary>

@@ -7,7 +7,7 @@ namespace ErrorMatching.Cell;
 /// continues from where the broker had everything.</summary>
 /// <remarks>A broker may acknowledge a message before its disk has it, and forget it in a power cut. So a message counts as delivered
 /// only if the same connection still answers some seconds after the acknowledgment. Later messages are published again, with the same
-/// identity. That holds for an orderly stop, too: whoever restarts cell and broker together must not lose a step.</remarks>
+/// identity. That holds for an orderly stop, too: restarting cell and broker together must not lose a step.</remarks>
 internal sealed class EventWorker : IAsyncDisposable
 {
     /// <summary>The part's name in troubles.</summary>
