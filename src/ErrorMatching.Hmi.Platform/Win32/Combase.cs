@@ -5,7 +5,8 @@ namespace ErrorMatching.Hmi.Platform;
 /// <summary>The few entry points of combase for classes of the Windows Runtime.</summary>
 internal static unsafe partial class Combase
 {
-    private const string Library = "combase";
+    /// <summary>Its file.</summary>
+    public const string Library = "combase";
 
     [LibraryImport(Library, StringMarshalling = StringMarshalling.Utf16)]
     public static partial int WindowsCreateString(string text, uint length, nint* made);

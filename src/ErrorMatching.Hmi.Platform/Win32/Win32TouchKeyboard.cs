@@ -24,7 +24,9 @@ internal sealed unsafe class Win32TouchKeyboard
     /// <summary>The touch keyboard for a window; null if there is none.</summary>
     public static Win32TouchKeyboard? For(nint window)
     {
-        if (!NativeLibrary.TryLoad("combase", out var library) || !NativeLibrary.TryGetExport(library, "RoGetActivationFactory", out _))
+        // Windows 7 has none of this.
+        if (!NativeLibrary.TryLoad(Combase.Library, out var library)
+            || !NativeLibrary.TryGetExport(library, nameof(Combase.RoGetActivationFactory), out _))
         {
             return null;
         }
@@ -39,8 +41,8 @@ internal sealed unsafe class Win32TouchKeyboard
         void* factory = null, found = null;
         if (Combase.RoGetActivationFactory(name, &interop, &factory) == IsDone)
         {
-            if (((delegate* unmanaged[Stdcall]<void*, nint, Guid*, void**, int>)Function(factory, ForWindow))(factory, window, &pane, &found)
-                != IsDone)
+            var get = (delegate* unmanaged[Stdcall]<void*, nint, Guid*, void**, int>)Function(factory, ForWindow);
+            if (get(factory, window, &pane, &found) != IsDone)
             {
                 found = null;
             }
@@ -56,7 +58,8 @@ internal sealed unsafe class Win32TouchKeyboard
     public void Show(bool isShown)
     {
         byte isAccepted;
-        _ = ((delegate* unmanaged[Stdcall]<void*, byte*, int>)Function(_pane, isShown ? TryShow : TryHide))(_pane, &isAccepted);
+        var act = (delegate* unmanaged[Stdcall]<void*, byte*, int>)Function(_pane, isShown ? TryShow : TryHide);
+        _ = act(_pane, &isAccepted);
     }
 
     /// <summary>Ends its use, with the window.</summary>

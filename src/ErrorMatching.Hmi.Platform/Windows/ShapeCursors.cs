@@ -12,3 +12,15 @@ internal sealed class ShapeCursors : ICursorFactory
 
     public ICursorImpl CreateCursor(Bitmap cursor, PixelPoint hotSpot) => new ShapeCursor(StandardCursorType.Arrow);
 }
+
+/// <summary>A cursor identified by its shape.</summary>
+internal sealed class ShapeCursor(StandardCursorType shape) : ICursorImpl
+{
+    /// <summary>The shape.</summary>
+    public StandardCursorType Shape { get; } = shape;
+
+    public void Dispose()
+    {
+        // It has no native resource.
+    }
+}

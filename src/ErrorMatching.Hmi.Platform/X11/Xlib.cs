@@ -99,3 +99,24 @@ internal static unsafe partial class Xlib
     public static partial int XPutImage(
         nint display, nint drawable, nint gc, XImage* image, int fromX, int fromY, int toX, int toY, uint width, uint height);
 }
+
+/// <summary>A file descriptor to wait for, in the layout for <c>poll</c>.</summary>
+[StructLayout(LayoutKind.Sequential)]
+internal struct PollFd
+{
+    public int Fd;
+    public short Events;
+    public short Returned;
+}
+
+/// <summary>XSizeHints in its 64-bit layout: what a window manager should know about a window's size (ICCCM 4.1.2.3).</summary>
+[StructLayout(LayoutKind.Explicit, Size = 80)]
+internal struct XSizeHints
+{
+    /// <summary>Set in <see cref="Flags"/> if the smallest size is given.</summary>
+    public const nint HasLeast = 1 << 4;
+
+    [FieldOffset(0)] public nint Flags;
+    [FieldOffset(24)] public int LeastWidth;
+    [FieldOffset(28)] public int LeastHeight;
+}

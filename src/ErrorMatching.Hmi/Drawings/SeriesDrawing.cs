@@ -44,3 +44,36 @@ internal sealed record SeriesDrawing(
         }
     }
 }
+
+/// <summary>One line of a series plot.</summary>
+/// <param name="Kind">Its meaning.</param>
+/// <param name="Name">Its name in the legend.</param>
+/// <param name="Values">The value at each place; null if there is none.</param>
+internal sealed record SeriesLine(SeriesKind Kind, string Name, IReadOnlyList<double?> Values)
+{
+    /// <summary>Places that this line does not join to the previous place, in addition to those of the whole drawing.</summary>
+    public IReadOnlySet<int> Beginnings { get; init; } = new HashSet<int>();
+}
+
+/// <summary>Limits over a range of places in a series.</summary>
+/// <param name="First">The first place, from 0.</param>
+/// <param name="Last">The last place.</param>
+/// <param name="Low">The lower limit.</param>
+/// <param name="High">The upper limit.</param>
+internal sealed record SeriesBand(int First, int Last, double Low, double High);
+
+/// <summary>The meaning of a plot line, which decides how it looks: never by color alone.</summary>
+internal enum SeriesKind
+{
+    /// <summary>Without compensation: a line with circles.</summary>
+    Before,
+
+    /// <summary>With compensation: a line with diamonds.</summary>
+    After,
+
+    /// <summary>A second figure without compensation: dashes.</summary>
+    BeforeMean,
+
+    /// <summary>A second figure with compensation: dashes.</summary>
+    AfterMean,
+}

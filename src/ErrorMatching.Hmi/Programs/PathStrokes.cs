@@ -99,3 +99,28 @@ internal sealed class PathStrokes
         }
     }
 }
+
+/// <summary>A straight piece of a path, in screen units.</summary>
+/// <param name="X1">Start, x.</param>
+/// <param name="Y1">Start, y.</param>
+/// <param name="X2">End, x.</param>
+/// <param name="Y2">End, y.</param>
+/// <param name="Block">Its block.</param>
+/// <param name="IsRapid">True for a rapid move, which cuts nothing.</param>
+public readonly record struct MoveStroke(float X1, float Y1, float X2, float Y2, int Block, bool IsRapid);
+
+/// <summary>How a stroke is drawn, from the bottom layer to the top.</summary>
+internal enum StrokeKind
+{
+    /// <summary>Dashed: a rapid.</summary>
+    Rapid,
+
+    /// <summary>Solid: a cut.</summary>
+    Cut,
+
+    /// <summary>Thick: part of a feature.</summary>
+    Feature,
+
+    /// <summary>Thick and in the selection's color, with a ring at its start and a dot at its end.</summary>
+    Chosen,
+}

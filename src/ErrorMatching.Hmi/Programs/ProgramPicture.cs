@@ -292,3 +292,26 @@ public sealed class ProgramPicture : Observable
         }
     }
 }
+
+/// <summary>A feature of a job with the selectors of its blocks.</summary>
+/// <param name="Name">Its name.</param>
+/// <param name="Blocks">Selectors as written in the job: <c>N120</c>, <c>N130..N160</c>, <c>/expression/</c>.</param>
+public sealed record FeatureBlocks(string Name, IReadOnlyList<string> Blocks);
+
+/// <summary>A request to show the blocks of a feature.</summary>
+/// <param name="Feature">Its name.</param>
+/// <param name="Blocks">From its first block to its last.</param>
+/// <param name="IsAtEnd">If they do not all fit: true to show the end, false to show the beginning.</param>
+public sealed record FeatureLook(string Feature, BlockRange Blocks, bool IsAtEnd);
+
+/// <summary>The marking of a feature in a program: its name next to its blocks and moves, and a bar; not color alone.</summary>
+/// <param name="Name">Its name.</param>
+/// <param name="Ranges">Its blocks.</param>
+/// <param name="Problem">Why some of its blocks were not found; null if all were found.</param>
+public sealed record FeatureMark(string Name, IReadOnlyList<BlockRange> Ranges, string? Problem);
+
+/// <summary>Blocks that the user picked for a feature.</summary>
+/// <param name="Feature">The feature's name.</param>
+/// <param name="Blocks">The blocks as selectors of a job: <c>N120</c>, <c>N130..N160</c>.</param>
+/// <param name="IsMore">True to add them to the feature's blocks, false to replace those.</param>
+public sealed record RangeChoice(string Feature, IReadOnlyList<string> Blocks, bool IsMore);

@@ -30,7 +30,7 @@ public sealed partial class MainWindow : Window
 
         // Order matters: the first handler sees a tap last, and so sees what the others made of it.
         _ = new TapKeeper(this);
-        _ = new TwiceKeeper(this);
+        _ = new SecondTapGuard(this);
         Aim = new(this);
         AddHandler(PointerPressedEvent, (_, _) => Touch(isByKeyboard: false), RoutingStrategies.Tunnel, handledEventsToo: true);
         AddHandler(KeyDownEvent, (_, _) => Touch(isByKeyboard: true), RoutingStrategies.Tunnel, handledEventsToo: true);

@@ -386,3 +386,51 @@ public sealed class ShellViewModel : Observable, IDisposable
         OnPropertyChanged(nameof(UserRole));
     }
 }
+
+/// <summary>A screen in the navigation, with its name in the display language.</summary>
+public sealed class NavigationItem : Observable
+{
+    public NavigationItem(Screen screen)
+    {
+        Screen = screen ?? throw new ArgumentNullException(nameof(screen));
+    }
+
+    public Screen Screen { get; }
+
+    public string Name => Texts.Current["Screen." + Screen.Key];
+
+    /// <summary>Updates the name after a change of language.</summary>
+    internal void Rename() => OnPropertyChanged(nameof(Name));
+}
+
+/// <summary>The current user's last choice on each screen, restored when the screen is opened again. Another user starts without
+/// choices.</summary>
+internal sealed class LastLooked
+{
+    /// <summary>The correction chosen in the on-line compensation; null if there is none. Sets <see cref="Piece"/>, too.</summary>
+    public long? Correction
+    {
+        get;
+        set => Piece = field = value;
+    }
+
+    /// <summary>The correction last selected automatically in the on-line compensation, as long as the user chose none; null if
+    /// there is none. It stays selected while it waits, even if a longer-waiting one has arrived meanwhile.</summary>
+    public long? Shown { get; set; }
+
+    /// <summary>The mating chosen in the verification; null if there is none.</summary>
+    public string? Mating { get; set; }
+
+    /// <summary>The piece chosen in the verification, by the number of its correction or measured counterpart; null if there is
+    /// none.</summary>
+    public long? Piece { get; set; }
+
+    /// <summary>The chosen free-form job; null if there is none.</summary>
+    public string? SurfaceJob { get; set; }
+
+    /// <summary>The chosen measured surface; null if there is none.</summary>
+    public long? Surface { get; set; }
+
+    /// <summary>The tab of the system set-up.</summary>
+    public int SystemSide { get; set; }
+}

@@ -267,3 +267,58 @@ internal sealed class CorrectionDetail
 
     private static bool IsFromCounterpart(MatchReport report) => report.Compensation.From == CompensationSource.Counterpart;
 }
+
+/// <summary>A key point in a table; lengths in mm.</summary>
+/// <param name="Point">Its label.</param>
+/// <param name="Feature">Its feature.</param>
+/// <param name="TheoreticalX">Nominal x.</param>
+/// <param name="TheoreticalY">Nominal y.</param>
+/// <param name="ActualX">Measured x.</param>
+/// <param name="ActualY">Measured y.</param>
+/// <param name="CompensationX">Displacement of the program, x.</param>
+/// <param name="CompensationY">Displacement of the program, y.</param>
+/// <param name="Without">The mating error without compensation: counterpart - part along the normal.</param>
+/// <param name="LeftOver">The predicted mating error with compensation, by the same convention, with its 95 % interval if that is
+/// known.</param>
+/// <param name="IsOutside">True if that error is outside its limits.</param>
+internal sealed record PointRow(
+    string Point,
+    string Feature,
+    string TheoreticalX,
+    string TheoreticalY,
+    string ActualX,
+    string ActualY,
+    string CompensationX,
+    string CompensationY,
+    string Without,
+    string LeftOver,
+    bool IsOutside);
+
+/// <summary>A length or an angle of a feature in a table.</summary>
+/// <param name="Feature">The feature.</param>
+/// <param name="Quantity">Its name.</param>
+/// <param name="Ideal">Nominal value.</param>
+/// <param name="Actual">Measured value of the part.</param>
+/// <param name="Corrected">Predicted value of the corrected counterpart: close to the measured value, except for the errors
+/// remaining at its points and deviations along the boundary.</param>
+/// <param name="Unit">mm or degrees.</param>
+internal sealed record QuantityRow(string Feature, string Quantity, string Ideal, string Actual, string Corrected, string Unit)
+{
+    /// <summary>Its name for screen readers: a feature has several quantities.</summary>
+    public string Name => $"{Feature} · {Quantity}";
+}
+
+/// <summary>The displayed decision about a feature.</summary>
+/// <param name="Feature">The feature and its shape.</param>
+/// <param name="Decision">The decision, in a word or two.</param>
+/// <param name="Reason">The reason.</param>
+/// <param name="LargestName">What the largest deviation is the difference of.</param>
+/// <param name="Largest">The largest deviation along the normal in mm, with its sign: of the part, or of part - counterpart.</param>
+internal sealed record DecisionRow(string Feature, string Decision, string Reason, string LargestName, string Largest);
+
+/// <summary>A step in a correction's history.</summary>
+/// <param name="Time">Its time.</param>
+/// <param name="State">The new state.</param>
+/// <param name="By">Who took it.</param>
+/// <param name="Basis">Its basis.</param>
+internal sealed record StepRow(string Time, string State, string By, string Basis);

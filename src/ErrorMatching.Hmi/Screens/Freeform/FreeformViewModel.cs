@@ -228,3 +228,20 @@ internal sealed class FreeformViewModel : ScreenViewModel, ILooksAt
             Shown.Micrometers(surface.Findings.Before.ProfileIsoMm) + " µm",
             CorrectionLabel.SeverityOf(c.State));
 }
+
+/// <summary>A measured surface in a list.</summary>
+/// <param name="Id">Number of its correction.</param>
+/// <param name="Title">Number and serial number or file.</param>
+/// <param name="Job">The workpiece's name.</param>
+/// <param name="State">Its state.</param>
+/// <param name="Profile">Its measured profile.</param>
+/// <param name="Severity">Its severity.</param>
+internal sealed record SurfaceRow(long Id, string Title, string Job, string State, string Profile, Severity Severity)
+{
+    public string AutomationId => "surface-" + Shown.Id(Id);
+}
+
+/// <summary>A free-form job of the cell.</summary>
+/// <param name="Name">Its display name.</param>
+/// <param name="Settings">The job.</param>
+internal sealed record SurfaceJobChoice(string Name, CellJobSettings Settings);

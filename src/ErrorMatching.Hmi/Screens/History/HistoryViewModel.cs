@@ -362,3 +362,30 @@ internal sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
         }
     }
 }
+
+/// <summary>A correction found in the history.</summary>
+/// <param name="Id">Its number.</param>
+/// <param name="Arrived">When its file arrived.</param>
+/// <param name="Piece">Serial number, or the file's name.</param>
+/// <param name="WorkOrder">The work order.</param>
+/// <param name="Job">The job.</param>
+/// <param name="State">Its state.</param>
+/// <param name="Largest">Its largest displacement.</param>
+internal sealed record HistoryRow(long Id, string Arrived, string Piece, string WorkOrder, string Job, string State, string Largest)
+{
+    public string Number => "#" + Shown.Id(Id);
+
+    public string AutomationId => "found-" + Shown.Id(Id);
+}
+
+/// <summary>A state to search for. The object stays the same in another language, so that it stays selected.</summary>
+/// <param name="state">The state; null for any.</param>
+internal sealed class StateChoice(CorrectionState? state) : Observable
+{
+    public CorrectionState? State { get; } = state;
+
+    public string Name => State is { } known ? Texts.Current.Word(known) : Texts.Current["History.AnyState"];
+
+    /// <summary>Updates the name after a change of language.</summary>
+    internal void Rename() => OnPropertyChanged(nameof(Name));
+}

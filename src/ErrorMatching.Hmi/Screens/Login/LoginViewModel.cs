@@ -147,3 +147,12 @@ public sealed class LoginViewModel : ScreenViewModel
         Password = "";
     }
 }
+
+/// <summary>A user in the login list.</summary>
+/// <param name="Name">The name.</param>
+/// <param name="Role">The role.</param>
+/// <param name="RoleName">The role in a word.</param>
+public sealed record UserTile(string Name, Role Role, string RoleName)
+{
+    public string AutomationId => "login-user-" + Name;
+}

@@ -254,3 +254,36 @@ internal sealed partial class MessagesViewModel : ScreenViewModel
     [GeneratedRegex("[0-9a-f]{64}", RegexOptions.None, Timeout.Infinite)]
     private static partial Regex Hash();
 }
+
+/// <summary>A message to the user, with what to do next.</summary>
+/// <param name="Severity">Its severity.</param>
+/// <param name="What">The situation.</param>
+/// <param name="Next">What to do.</param>
+/// <param name="Correction">The correction to open; null if there is none.</param>
+internal sealed record MessageRow(Severity Severity, string What, string Next, long? Correction)
+{
+    /// <summary>True to open the verification of a measured piece instead.</summary>
+    public bool IsMeasured { get; init; }
+
+    /// <summary>True if a tap opens something.</summary>
+    public bool CanLook => Correction is not null;
+
+    public string AutomationId { get; init; } = Correction is { } id ? "message-" + Shown.Id(id) : "message";
+}
+
+/// <summary>A displayed entry of the audit trail.</summary>
+/// <param name="Number">Its number.</param>
+/// <param name="Time">Its time.</param>
+/// <param name="Who">Who acted.</param>
+/// <param name="What">The act.</param>
+/// <param name="Subject">What it applied to.</param>
+/// <param name="Basis">Its basis.</param>
+public sealed record AuditRow(string Number, string Time, string Who, string What, string Subject, string Basis)
+{
+    // About two lines of its column.
+    private const int LongBasis = 100;
+
+    /// <summary>The basis; if it is long, only its first sentence.</summary>
+    public string Short =>
+        Basis.Length > LongBasis && Sentence.First(Basis) is { } first && first.Length < Basis.Length ? first + " …" : Basis;
+}

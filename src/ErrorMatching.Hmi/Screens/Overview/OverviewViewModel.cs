@@ -277,3 +277,55 @@ public sealed class OverviewViewModel : ScreenViewModel
     private string Label(Correction correction) =>
         string.Join(" · ", new[] { Station.JobNames.Of(correction), CorrectionLabel.Of(correction) }.OfType<string>());
 }
+
+/// <summary>A machine's slot in the overview.</summary>
+/// <param name="Name">Machine and slot.</param>
+/// <param name="Program">The program's name at the machine.</param>
+/// <param name="State">Its state, in a word.</param>
+/// <param name="Detail">What it holds, and since when.</param>
+/// <param name="Waiting">Number of queued corrections, and of those that will be queued after approval.</param>
+/// <param name="Severity">Its severity.</param>
+/// <param name="Correction">The correction to open; null if there is none.</param>
+public sealed record SlotTile(string Name, string Program, string State, string Detail, string Waiting, Severity Severity, long? Correction)
+{
+    /// <summary>True if its piece was cut: a tap then opens the verification instead of the correction.</summary>
+    public bool IsPiece { get; init; }
+
+    public string AutomationId => "slot-" + Name;
+}
+
+/// <summary>A gauge in the overview.</summary>
+/// <param name="Name">Its name.</param>
+/// <param name="Source">Where its files come from.</param>
+/// <param name="State">Its state, in a word or a sentence.</param>
+/// <param name="Severity">Its severity.</param>
+public sealed record GaugeTile(string Name, string Source, string State, Severity Severity)
+{
+    public string AutomationId => "gauge-" + Name;
+}
+
+/// <summary>In the overview: a correction that waits for a person or is on its way, or the newest counterpart of a workpiece that
+/// was measured outside its limits.</summary>
+/// <param name="Id">Its number.</param>
+/// <param name="Job">The workpiece's name; empty before it is recognized.</param>
+/// <param name="Title">Number and serial number or file.</param>
+/// <param name="State">What it waits for.</param>
+/// <param name="Largest">Its largest displacement in mm.</param>
+/// <param name="Since">Since when it waits.</param>
+/// <param name="Severity">Its severity.</param>
+public sealed record WaitingTile(long Id, string Job, string Title, string State, string Largest, string Since, Severity Severity)
+{
+    /// <summary>True for a measured counterpart: a tap then opens the verification instead of the correction.</summary>
+    public bool IsMeasured { get; init; }
+
+    /// <summary>True if its job was changed after it was computed.</summary>
+    public bool IsOfChangedJob { get; init; }
+
+    /// <summary>True if its largest displacement is known.</summary>
+    public bool HasLargest => Largest.Length > 0;
+
+    /// <summary>Its name for screen readers.</summary>
+    public string Name => Job.Length > 0 ? $"{Job} · {Title}" : Title;
+
+    public string AutomationId => (IsMeasured ? "measured-" : "waiting-") + Shown.Id(Id);
+}

@@ -224,3 +224,26 @@ internal sealed class UsersViewModel : ScreenViewModel
             ? Texts.Current.With("Users.IsLocked", Shown.Time(until, Station.Clock))
             : "");
 }
+
+/// <summary>A user in the list of users.</summary>
+/// <param name="Name">The name.</param>
+/// <param name="Role">The role.</param>
+/// <param name="RoleName">The role in a word.</param>
+/// <param name="IsDisabled">True if the user may not sign in.</param>
+/// <param name="Standing">Disabled or locked, in words; empty if neither.</param>
+internal sealed record UserRow(string Name, Role Role, string RoleName, bool IsDisabled, string Standing)
+{
+    public string AutomationId => "user-row-" + Name;
+}
+
+/// <summary>A role to choose. The object stays the same in another language, so that it stays selected.</summary>
+/// <param name="role">The role.</param>
+internal sealed class RoleChoice(Role role) : Observable
+{
+    public Role Role { get; } = role;
+
+    public string Name => Texts.Current.Word(Role);
+
+    /// <summary>Updates the name after a change of language.</summary>
+    internal void Rename() => OnPropertyChanged(nameof(Name));
+}

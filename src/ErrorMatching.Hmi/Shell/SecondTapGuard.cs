@@ -9,7 +9,7 @@ namespace ErrorMatching.Hmi;
 
 /// <summary>Prevents the second of two quick taps from hitting what the first one brought up: what was behind a dialog, or
 /// another screen.</summary>
-internal sealed class TwiceKeeper
+internal sealed class SecondTapGuard
 {
     // Within this time no one has seen the result of a tap yet. A gloved finger returns within this distance.
     private const ulong TwiceMs = 500;
@@ -22,7 +22,7 @@ internal sealed class TwiceKeeper
     private bool _isFirst = true;
 
     /// <summary>Watches the taps of a window.</summary>
-    public TwiceKeeper(MainWindow window)
+    public SecondTapGuard(MainWindow window)
     {
         _window = window;
         window.AddHandler(InputElement.PointerPressedEvent, OnPressed, RoutingStrategies.Tunnel, handledEventsToo: true);
