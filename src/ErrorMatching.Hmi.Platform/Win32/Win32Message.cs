@@ -4,7 +4,8 @@ namespace ErrorMatching.Hmi.Platform;
 internal static class Win32Message
 {
     public const uint Size = 0x05, SetFocus = 0x07, KillFocus = 0x08, Paint = 0x0F, Close = 0x10, EraseBackground = 0x14,
-        ColorsChanged = 0x15, SessionEnds = 0x16, SettingChanged = 0x1A, SetCursor = 0x20, GetLimits = 0x24, GetObject = 0x3D, PlaceChanged = 0x47, DisplayChanged = 0x7E;
+        ColorsChanged = 0x15, SessionEnds = 0x16, SettingChanged = 0x1A, SetCursor = 0x20,
+        GetLimits = 0x24, GetObject = 0x3D, PlaceChanged = 0x47, DisplayChanged = 0x7E;
 
     public const uint KeyDown = 0x100, KeyUp = 0x101, Char = 0x102, SystemKeyDown = 0x104, SystemKeyUp = 0x105, SystemChar = 0x106,
         SystemCommand = 0x112, Timer = 0x113;
