@@ -42,7 +42,7 @@ internal sealed record StepEvent(
         return bytes.ToArray();
     }
 
-    // Before it is recognized, it is nobody's, unless it is recalculated.
+    // Before it is recognized, it is nobody's, unless it recalculates an earlier one.
     private bool IsRecognized => To != CorrectionState.Archived || Correction.MeasuredAs is not null;
 
     // A code belongs to a state. A failed correction that somebody has approved again meanwhile has lost it.

@@ -52,7 +52,7 @@ internal static class CorrectionRequests
             : null;
     }
 
-    /// <summary>The request of a recalculation: whether the measurement of a computed correction would now give a different one.</summary>
+    /// <summary>Asks for a computed correction once more, to see whether its measurement would give a different one now.</summary>
     /// <exception cref="StoreException">Its inputs are not in the store.</exception>
     public static CorrectionRequest OfRecalculation(CellStore store, Correction correction, CellJobSettings job) => new()
     {

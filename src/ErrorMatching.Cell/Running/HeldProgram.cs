@@ -167,9 +167,7 @@ internal sealed class HeldProgram(CellFlow flow, SlotPlace place, MachineListing
         var basis = Recorded.MachineWrote.With(ready);
         if (held.State == CorrectionState.Verified)
         {
-            // Recorded only while no other process may have changed what was seen at the machine.
-            place.Right.Demand();
-            flow.Step(held, CorrectionState.Released, basis);
+            place.Step(flow, held, CorrectionState.Released, basis);
         }
         else
         {

@@ -3,7 +3,7 @@ using ErrorMatching.Reporting;
 namespace ErrorMatching.Cell;
 
 /// <summary>Whether a program may go to its slot by what the control would call it: it must be the slot's file by name and number, and
-/// nothing else at the place.Machine.</summary>
+/// nothing else at the machine.</summary>
 /// <param name="flow">State shared by the workers.</param>
 /// <param name="place">The slot.</param>
 /// <param name="jobs">The programs of the machine's jobs.</param>

@@ -1,3 +1,4 @@
+using ErrorMatching.Reporting;
 using Polly;
 
 namespace ErrorMatching.Cell;
@@ -26,6 +27,17 @@ internal sealed record SlotPlace(
         var right = new SlotRight(store, machine.Name, slot.Name);
         var fenced = new FencedFolder(folder, right.Demand);
         return new(machine, slot, right, fenced, new ProgramSender(fenced, store.Keeps, tries, guard));
+    }
+
+    /// <summary>Takes a step that says what was seen at the machine. It is recorded only while no other process may have changed
+    /// that.</summary>
+    /// <exception cref="StoreException">This process no longer has the right, or the store cannot be used.</exception>
+    public Correction Step(
+        CellFlow flow, Correction from, CorrectionState to, Statement basis, Func<Correction, Correction>? with = null,
+        IReadOnlyList<ReadOnlyMemory<byte>>? contents = null)
+    {
+        Right.Demand();
+        return flow.Step(from, to, basis, with, contents);
     }
 }
 

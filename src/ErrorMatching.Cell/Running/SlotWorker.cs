@@ -125,7 +125,8 @@ internal sealed class SlotWorker(
         var hash = HashOf(found);
         var unknown = known.WhyNot(found, hash, approved);
         var mayReplace = unknown is null && named is null;
-        var uploading = Step(
+        var uploading = place.Step(
+            flow,
             approved,
             CorrectionState.Uploading,
             hash is null ? Recorded.SlotEmpty.With() : Recorded.SlotHeld.With(hash),
@@ -235,7 +236,7 @@ internal sealed class SlotWorker(
 
     private void Verify(Correction uploading, Statement basis)
     {
-        var verified = Step(uploading, CorrectionState.Verified, basis);
+        var verified = place.Step(flow, uploading, CorrectionState.Verified, basis);
         CellTelemetry.Arrived(verified, flow.Clock.GetUtcNow());
         watched.Begin(verified);
     }
@@ -282,7 +283,7 @@ internal sealed class SlotWorker(
         }
         else if (cause is null or { Error: TransportError.Away or TransportError.Slow })
         {
-            Step(uploading, CorrectionState.Approved, Recorded.GivenBack.With(basis));
+            place.Step(flow, uploading, CorrectionState.Approved, Recorded.GivenBack.With(basis));
         }
         else if (cause is not null)
         {
@@ -293,17 +294,9 @@ internal sealed class SlotWorker(
     private Statement ChangedMeanwhile(string? found) =>
         Recorded.ChangedMeanwhile.With(place.Slot.Program, place.Machine.Name, found ?? "missing");
 
-    // What was seen at the machine is recorded only while no other process may have changed it.
-    private Correction Step(
-        Correction from, CorrectionState to, Statement basis, Func<Correction, Correction>? with = null,
-        IReadOnlyList<ReadOnlyMemory<byte>>? contents = null)
-    {
-        place.Right.Demand();
-        return flow.Step(from, to, basis, with, contents);
-    }
-
     private void Fail(Correction uploading, string code, Statement reason, byte[]? found = null) =>
-        Step(
+        place.Step(
+            flow,
             uploading,
             CorrectionState.Failed,
             reason,

@@ -22,11 +22,11 @@ public sealed record Correction(
     string MeasurementSha256,
     long MeasurementBytes)
 {
-    /// <summary>Number of the correction that its measurement arrived with, if it is recalculated; null if it arrived with this
-    /// one. A recalculated measurement has the same job, piece and slot from the start.</summary>
+    /// <summary>Number of the correction that its measurement arrived with, if this one recalculates it; null if it arrived with this
+    /// one. One that recalculates has the same job, piece and slot from the start.</summary>
     public long? MeasuredAs { get; init; }
 
-    /// <summary>Decides which of two measurements came first, and the order in line. A recalculated measurement keeps its place.</summary>
+    /// <summary>Decides which of two measurements came first, and the order in line. One that recalculates has the place of the first.</summary>
     public long Turn => MeasuredAs ?? Id;
 
     /// <summary>When the last step was taken.</summary>

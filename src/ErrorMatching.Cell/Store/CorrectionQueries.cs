@@ -30,8 +30,8 @@ public sealed class CorrectionQueries
     ];
 
     /// <summary>The corrections in line for a slot, in order of arrival: from recognized to approved, and those that failed there. A
-    /// correction that failed without a program has nothing to send and is excluded. A correction that is recalculated keeps its
-    /// place.</summary>
+    /// correction that failed without a program has nothing to send and is excluded. One that recalculates an earlier
+    /// one has that one's place from the start.</summary>
     /// <param name="machine">The machine.</param>
     /// <param name="slot">Its slot.</param>
     public IReadOnlyList<Correction> Line(string machine, string slot) => Read(
@@ -45,8 +45,8 @@ public sealed class CorrectionQueries
     /// <summary>The first correction of <see cref="Line"/>, without reading the others; null if the line is empty.</summary>
     internal Correction? FirstInLine(string machine, string slot)
     {
-        // The least number of each state is the first of an index, and so is the least place of those that are recalculated. The one
-        // of both that comes first is the first in line: a recalculated one comes before its own number.
+        // The least number of each state is the first of an index, and so is the least place of those that recalculate. The one
+        // of both that comes first is the first in line: one that recalculates comes before its own number.
         string[] inLine = [.. InLine.Select(s => $"state = '{CorrectionRow.Word(s)}'"),
             $"state = '{CorrectionRow.Word(CorrectionState.Failed)}' AND program_sha256 IS NOT NULL"];
         const string Here = "machine = @machine AND slot = @slot AND ";
