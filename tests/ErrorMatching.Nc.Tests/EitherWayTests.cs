@@ -58,6 +58,11 @@ public sealed class EitherWayTests
     [InlineData("fanuc", "IF [#500 EQ 1] GOTO 10\nG0 A90. (TURN)\nN10 G1 X5. F100.", "unknown-condition")]
     [InlineData("fanuc", "IF [#500 EQ 1] GOTO 10\nG0 X0. Y0. Z5. B90.\nN10 G1 X5. F100.", "unknown-condition")]
     [InlineData("linuxcnc", "o1 if [#<_task> EQ 0]\nG0 A90\no1 endif\nG1 X5 F100", "unknown-condition")]
+    [InlineData("linuxcnc", "o1 if [#<_task> EQ 0]\nG1 X0 Y0 Z5 A90 F100\no1 endif\nG1 X5 F100", "unknown-condition")]
+
+    // Without an axis, all of them return to the reference point, A too.
+    [InlineData("linuxcnc", "G0 A90\no1 if [#<_task> EQ 0]\nG28\nG0 X0 Y0 Z5\no1 endif\nG1 X5 F100", "unknown-condition")]
+    [InlineData("fanuc", "IF [#500 EQ 1] GOTO 10\nG28\nG0 X0. Y0. Z5.\nN10 G1 X5. F100.", "unknown-condition")]
     [InlineData("siemens-840d", "IF R5==1 GOTOF WEITER\nG0 A90\nWEITER:\nG1 X5 F100", "unknown-condition")]
     [InlineData("okuma-osp", "IF [VC1 EQ 1] NLAP\nG0 A90\nNLAP G1 X5 F100", "unknown-condition")]
     [InlineData("fanuc", "IF [#500 EQ 1] GOTO 10\n/G1 X5. F100.\nN10 G1 Y7.", "unknown-condition")]
@@ -72,6 +77,17 @@ public sealed class EitherWayTests
     {
         var path = Bench.Read(Head + program + "\n", NcDialects.Named(dialect));
         Assert.Equal(code, path.Refusal?.Code);
+    }
+
+    [Theory]
+    [InlineData("G0 Q90.")]
+    [InlineData("G0 Q90. (TURN)")]
+    public void An_axis_of_the_shop_that_turns_on_one_way_is_a_difference(string turn)
+    {
+        var dialect = OwnDialect.Of(
+            """, "letters": [{ "letters": "Q", "role": "other-axis", "statement": "Turns the table.", "source": "the machine" }]""");
+        var path = Bench.Read($"{Head}IF [#500 EQ 1] GOTO 10\n{turn}\nN10 G1 X5. F100.\n", dialect);
+        Assert.Equal("unknown-condition", path.Refusal?.Code);
     }
 
     [Fact]

@@ -126,8 +126,8 @@ internal sealed class BlockExecutor
     /// anything reads it.</description></item>
     /// <item><description>Codes at which the control stops under compensation are not looked for: G0 and G1 are none of
     /// them.</description></item>
-    /// <item><description><see cref="HasOnlyModes"/> is judged by letters alone, which is enough for plain words with G0 or
-    /// G1.</description></item>
+    /// <item><description><see cref="HasOnlyModes"/> is judged by letters alone, which is enough for plain words with G0 or G1.
+    /// </description></item>
     /// <item><description>The motion is added without layers and corners: programmed coordinates are work coordinates, and no corner is
     /// pending or stated.</description></item>
     /// </list>
@@ -139,7 +139,7 @@ internal sealed class BlockExecutor
         if (isStraight)
         {
             ref var state = ref _control.State;
-            HasOnlyModes &= (_words.Present & ~ModeWords.Letters) == 0;
+            HasOnlyModes &= HasOnlyModes && _modeWords.AreAllLetters();
             ReadNumbers(state.InchFeed);
             if ((_words.Present & _axes) != 0)
             {

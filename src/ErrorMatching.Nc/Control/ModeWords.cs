@@ -4,10 +4,13 @@ namespace ErrorMatching.Nc;
 /// by.</summary>
 internal sealed class ModeWords(NcControl control)
 {
-    /// <summary>Lines, arcs, waits, and letters of what does not move. D, H, T, axes that turn and what the dialect does not know can
-    /// change more.</summary>
-    public static uint Letters { get; } = BlockWords.LinearAxes | BlockWords.CenterWords
+    // Lines, arcs, waits, and letters of what does not move. D, H, T and what the dialect does not know can change more, and so can each
+    // of these letters where a dialect has it as another axis.
+    private static readonly uint Letters = BlockWords.LinearAxes | BlockWords.CenterWords
         | "RNFSPLOQ".Aggregate(0u, (bits, letter) => bits | BlockWords.Bit(letter));
+
+    /// <summary>True if all letters of a block are of this kind whose words are plain, with no code but G0 or G1.</summary>
+    public bool AreAllLetters() => (control.Words.Present & (~Letters | control.Values.OtherAxes)) == 0;
 
     /// <summary>True if all words of the block are of this kind.</summary>
     public bool AreAll()
@@ -24,7 +27,9 @@ internal sealed class ModeWords(NcControl control)
 
         foreach (var code in words.Codes)
         {
-            if (!IsMode(control.Dialect.MeaningOf(code)))
+            // Without an axis, all of them return, those that turn too.
+            var meaning = control.Dialect.MeaningOf(code);
+            if (!IsMode(meaning) || (meaning == NcMeaning.ReferenceReturn && (given & BlockWords.LinearAxes) == 0))
             {
                 return false;
             }
