@@ -1,5 +1,4 @@
 using System.CommandLine;
-using ErrorMatching.Jobs;
 using ErrorMatching.Nc;
 
 namespace ErrorMatching.Console;
@@ -14,45 +13,20 @@ internal sealed class WishOption : Option<string>
         HelpName = "FILE";
     }
 
-    /// <summary>Writes the outputs, preceded by the wish file if requested: all of them or none.</summary>
+    /// <summary>The outputs, preceded by the wish file if requested.</summary>
     /// <param name="files">The outputs; the last one is the program.</param>
     /// <param name="wish">Creates the wish file's content.</param>
     /// <param name="arguments">The user's arguments.</param>
-    /// <param name="inputs">The files that were read.</param>
-    /// <param name="cancellation">Last checked before the first file appears.</param>
-    public void WriteWith(
-        IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files,
-        Func<WishFile> wish,
-        ParseResult arguments,
-        IReadOnlyCollection<string> inputs,
-        CancellationToken cancellation) =>
-        WriteWith(files, wish, arguments, inputs, () => true, cancellation);
-
-    /// <summary>The same, with a final check once the files are written next to their targets.</summary>
-    /// <param name="files">The outputs; the last one is the program.</param>
-    /// <param name="wish">Creates the wish file's content.</param>
-    /// <param name="arguments">The user's arguments.</param>
-    /// <param name="inputs">The files that were read.</param>
-    /// <param name="mayAppear">Called last, before the first file appears.</param>
-    /// <param name="cancellation">Checked before the first file appears.</param>
-    public void WriteWith(
-        IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files,
-        Func<WishFile> wish,
-        ParseResult arguments,
-        IReadOnlyCollection<string> inputs,
-        Func<bool> mayAppear,
-        CancellationToken cancellation)
+    public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Before(
+        IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files, Func<WishFile> wish, ParseResult arguments)
     {
-        if (arguments.GetValue(this) is { } file)
+        if (arguments.GetValue(this) is not { } file)
         {
-            using var stream = new MemoryStream();
-            wish().WriteTo(stream);
-            files = [(file, stream.GetBuffer().AsMemory(0, (int)stream.Length)), .. files];
+            return files;
         }
 
-        if (files.Count > 0)
-        {
-            OutputFile.WriteAll(files, inputs, mayAppear, cancellation);
-        }
+        using var stream = new MemoryStream();
+        wish().WriteTo(stream);
+        return [(file, stream.GetBuffer().AsMemory(0, (int)stream.Length)), .. files];
     }
 }

@@ -100,19 +100,18 @@ internal sealed class MatchVerb : Verb
                 files.Job.File,
                 folder is null ? [] : matched.Report.Targets,
                 files.Read));
-        var made = folder is null ? [] : matched.FilesIn(folder, accepted);
-        if (obedient.Report.Acceptance.IsWithheld)
+        var outputs = folder is null ? [] : matched.FilesIn(folder, accepted);
+        if (!obedient.Report.Acceptance.IsWithheld)
         {
-            if (folder is not null)
-            {
-                OutputFile.WriteAll(made, files.Read, cancellation);
-            }
-
-            return answer;
+            outputs = _certificate.Before(outputs, matched.Match.Certificate, arguments);
+            outputs = _wish.Before(outputs, matched.Match.WishFile, arguments);
         }
 
-        var outputs = _certificate.Before(made, matched.Match.Certificate, arguments);
-        _wish.WriteWith(outputs, matched.Match.WishFile, arguments, files.Read, cancellation);
+        if (outputs.Count > 0)
+        {
+            OutputFile.WriteAll(outputs, files.Read, cancellation);
+        }
+
         return answer;
     }
 }

@@ -123,13 +123,11 @@ internal sealed class NcDisplace : NcVerb
                 var outputs = arguments.GetValue(_certificate) is null || Proof().Holds
                     ? _certificate.Before(isPiped ? [] : [(output, rewrite.Result.Program.Bytes)], Certified, arguments)
                     : [];
-                _wish.WriteWith(
-                    outputs,
-                    () => WishFile.Of(path, wish, rewrite.Result.LeastIncrementMm),
-                    arguments,
-                    inputs,
-                    () => Proof().Holds,
-                    cancellation);
+                outputs = _wish.Before(outputs, () => WishFile.Of(path, wish, rewrite.Result.LeastIncrementMm), arguments);
+                if (outputs.Count > 0)
+                {
+                    OutputFile.WriteAll(outputs, inputs, () => Proof().Holds, cancellation);
+                }
             }
             catch (OutputException) when (!Proof().Holds)
             {
