@@ -321,14 +321,15 @@ public sealed class VerificationTests
     {
         var folder = Path.Combine(AppContext.BaseDirectory, "samples", "complex-mating");
         var files = new JobFiles(Path.Combine(folder, "job.json"));
+        var part = files.Part(null);
         var (program, bytes) = files.Program(null);
         return VerifyRun.Report(
             new(
                 files.Job,
                 files.Theoretical(),
-                files.Part(null),
-                files.Counterpart(new(Path.Combine(folder, "counterpart.csv"))),
-                files.Counterpart(new(Path.Combine(folder, "counterpart-after.csv"))),
+                part,
+                files.Counterpart(new(Path.Combine(folder, "counterpart.csv")), part),
+                files.Counterpart(new(Path.Combine(folder, "counterpart-after.csv")), part),
                 program,
                 bytes),
             out _)!;

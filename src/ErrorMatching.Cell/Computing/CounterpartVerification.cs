@@ -28,7 +28,7 @@ internal sealed record CounterpartVerification(VerifyReport? Report, Statement O
         try
         {
             var (program, bytes) = files.Program(null);
-            var before = files.Job.Counterpart.Measured is { } cut ? files.Counterpart(new(files.Job.PathOf(cut))) : null;
+            var before = files.Job.Counterpart.Measured is { } cut ? files.Counterpart(new(files.Job.PathOf(cut)), part: null) : null;
             var input = new VerifyInput(
                 files.Job, files.Theoretical(), files.Part(new(part.Name, part.Bytes)), before, counterpart, program, bytes)
             {

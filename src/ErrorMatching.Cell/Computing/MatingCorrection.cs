@@ -86,7 +86,7 @@ internal sealed class MatingCorrection
     private NothingToSend Record()
     {
         var given = new GivenFile(_request.Measurement.Name, _request.Measurement.Bytes);
-        var measured = IsOfPart ? _files.Part(given) : _files.Counterpart(given);
+        var measured = IsOfPart ? _files.Part(given) : _files.Counterpart(given, part: null);
         measured.Require(_files.Job.NeededPoints);
         var basis = ((Identified)Identify()).Basis;
         return IsOfPart

@@ -10,8 +10,6 @@ namespace ErrorMatching.Jobs;
 public sealed class JobFiles
 {
     private readonly List<string> _read;
-    private MeasurementFile? _part;
-    private MeasurementFile? _theoretical;
 
     /// <summary>Reads the job.</summary>
     /// <param name="job">The job's file.</param>
@@ -39,7 +37,7 @@ public sealed class JobFiles
     public MeasurementFile Theoretical(GivenFile? given = null)
     {
         var file = Measured(given ?? new(Job.PathOf(Job.Part.Theoretical)), MeasurementFormat.Points);
-        return _theoretical = file.IsByOrder
+        return file.IsByOrder
             ? throw MeasurementRefusal.Of(
                 MeasurementError.MissingColumn,
                 "a log without labels",
@@ -51,23 +49,28 @@ public sealed class JobFiles
     }
 
     /// <summary>A measurement of the part: the given one, or the job's.</summary>
+    /// <param name="given">The measurement; null for the job's.</param>
+    /// <param name="theoretical">The nominal key points, which give a log its labels; null for the job's.</param>
     /// <exception cref="InputException">The file cannot be used. The job's rules say that it is of the counterpart, or its content is that
     /// of the job's measured counterpart.</exception>
-    public MeasurementFile Part(GivenFile? given)
+    public MeasurementFile Part(GivenFile? given, MeasurementFile? theoretical = null)
     {
-        _part = Recognized(given ?? new(Job.PathOf(Job.Part.Measured)), SourceSide.Part);
-        return Job.Counterpart.Measured is { } measured && HasContent(Job.PathOf(measured), _part.Sha256)
-            ? throw InputRefusals.SameContent(_part.File, SourceSide.Part, measured)
-            : _part;
+        var part = Recognized(given ?? new(Job.PathOf(Job.Part.Measured)), SourceSide.Part, theoretical);
+        return Job.Counterpart.Measured is { } measured && HasContent(Job.PathOf(measured), part.Sha256)
+            ? throw InputRefusals.SameContent(part.File, SourceSide.Part, measured)
+            : part;
     }
 
     /// <summary>A measurement of a counterpart.</summary>
+    /// <param name="file">The measurement.</param>
+    /// <param name="part">The measured part, whose content must not be the counterpart's; null if none was read.</param>
+    /// <param name="theoretical">The nominal key points, which give a log its labels; null for the job's.</param>
     /// <exception cref="InputException">The file cannot be used. The job's rules say that it is of the part, or its content is that of the
     /// part's file.</exception>
-    public MeasurementFile Counterpart(GivenFile file)
+    public MeasurementFile Counterpart(GivenFile file, MeasurementFile? part, MeasurementFile? theoretical = null)
     {
-        var counterpart = Recognized(file, SourceSide.Counterpart);
-        return _part is { } part && part.Sha256 == counterpart.Sha256
+        var counterpart = Recognized(file, SourceSide.Counterpart, theoretical);
+        return part is not null && part.Sha256 == counterpart.Sha256
             ? throw InputRefusals.SameContent(counterpart.File, SourceSide.Counterpart, part.File)
             : counterpart;
     }
@@ -169,26 +172,25 @@ public sealed class JobFiles
         return new(file, bytes, own, called, path);
     }
 
-    private MeasurementFile Recognized(GivenFile file, SourceSide expected)
+    private MeasurementFile Recognized(GivenFile file, SourceSide expected, MeasurementFile? theoretical)
     {
-        var measurement = WithLabels(Measured(file, Job.Gauge.Format), expected);
+        var measurement = WithLabels(Measured(file, Job.Gauge.Format), expected, theoretical);
         return Job.Recognition is null || Job.Recognition.Decide(measurement) == expected
             ? measurement
             : throw InputRefusals.WrongPiece(file.File, expected);
     }
 
     // Labels of the job for a file that has other ones, or none.
-    private MeasurementFile WithLabels(MeasurementFile measurement, SourceSide expected) =>
-        measurement.Plan is { } plan ? Probed(plan, measurement, expected)
-        : measurement.IsByOrder ? measurement.InOrderOf(Order(measurement.Points.Count))
+    private MeasurementFile WithLabels(MeasurementFile measurement, SourceSide expected, MeasurementFile? theoretical) =>
+        measurement.Plan is { } plan ? Probed(plan, measurement, expected, theoretical ?? Theoretical())
+        : measurement.IsByOrder ? measurement.InOrderOf(Order(measurement.Points.Count, theoretical))
         : Job.Gauge.Labels is { } rule ? measurement.Renamed(rule, Job.NeededPoints)
         : measurement;
 
     // The log of a probing program says for which points it was made, and of which piece. The counterpart was touched where its program
     // has it.
-    private MeasurementFile Probed(string plan, MeasurementFile measurement, SourceSide expected)
+    private MeasurementFile Probed(string plan, MeasurementFile measurement, SourceSide expected, MeasurementFile theoretical)
     {
-        var theoretical = _theoretical ?? Theoretical();
         var (part, counterpart) = (TouchOrder.PlanOf(Job, theoretical), TouchOrder.PlanOfCounterpart(Job, theoretical));
         if (plan != part && plan != counterpart)
         {
@@ -210,14 +212,14 @@ public sealed class JobFiles
     }
 
     // The theoretical file may have more points than the job needs. The number of points tells whether all of them were measured.
-    private IReadOnlyList<string> Order(int count)
+    private IReadOnlyList<string> Order(int count, MeasurementFile? theoretical)
     {
         if (Job.Gauge.Order.Count > 0)
         {
             return Job.Gauge.Order;
         }
 
-        var all = (_theoretical ?? Theoretical()).Points.Select(p => p.Label).ToArray();
+        var all = (theoretical ?? Theoretical()).Points.Select(p => p.Label).ToArray();
         var needed = Job.NeededPoints.ToHashSet(StringComparer.Ordinal);
         return count == all.Length ? all : [.. all.Where(needed.Contains)];
     }

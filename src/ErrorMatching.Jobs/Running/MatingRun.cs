@@ -26,9 +26,12 @@ public static class MatingRun
         request ??= new();
         var job = WithGain(files.Job, request.Gain);
         job = job with { Counterpart = job.Counterpart with { Assumed = job.Counterpart.Assumed.With(request.Assumed) } };
-        var (theoretical, part) = (files.Theoretical(request.Theoretical), files.Part(request.Part));
+        var theoretical = files.Theoretical(request.Theoretical);
+        var part = files.Part(request.Part, theoretical);
         files.CheckFrame(theoretical, part);
-        var counterpart = request.Counterpart is { } given ? files.Counterpart(given) : NamedCounterpart(files);
+        var counterpart = request.Counterpart is { } given
+            ? files.Counterpart(given, part, theoretical)
+            : NamedCounterpart(files, part, theoretical);
         var (program, bytes) = files.Program(request.Program);
         var dialect = files.OwnDialect();
         cancellation.ThrowIfCancellationRequested();
@@ -166,7 +169,7 @@ public static class MatingRun
     }
 
     // In feed-forward the counterpart need not exist yet, whatever the job says about its measurement.
-    private static MeasurementFile? NamedCounterpart(JobFiles files)
+    private static MeasurementFile? NamedCounterpart(JobFiles files, MeasurementFile part, MeasurementFile theoretical)
     {
         var job = files.Job;
         if (job.Compensation.From != CompensationSource.Counterpart || job.Counterpart.Measured is not { } measured)
@@ -176,7 +179,7 @@ public static class MatingRun
 
         try
         {
-            return files.Counterpart(new(job.PathOf(measured)));
+            return files.Counterpart(new(job.PathOf(measured)), part, theoretical);
         }
         catch (InputException e) when (e.Code == MeasurementError.FileUnreadable && job.MeasuredPlace is { } place)
         {

@@ -108,7 +108,8 @@ public sealed partial class ProbedJobTests
         File.WriteAllText(folder["probe.log"], key.Log(probed.Program.Moves.Plan));
 
         var files = new JobFiles(folder["job.json"]);
-        var (theoretical, part, after) = (files.Theoretical(), files.Part(null), files.Counterpart(new(folder["probe.log"])));
+        var (theoretical, part) = (files.Theoretical(), files.Part(null));
+        var after = files.Counterpart(new(folder["probe.log"]), part);
         var (program, bytes) = files.Program(null);
         var report = VerifyRun.Report(new(files.Job, theoretical, part, null, after, program, bytes), out var refusals);
         Assert.Empty(refusals);

@@ -45,6 +45,17 @@ public sealed class LogRunTests
     }
 
     [Fact]
+    public void A_given_theoretical_file_is_the_order_of_the_log()
+    {
+        using var folder = Copied();
+        var lines = File.ReadAllLines(folder["theoretical.csv"]);
+        File.WriteAllLines(folder["given.csv"], [lines[0], .. lines[1..].Reverse()]);
+        var log = new GivenFile("log.txt", Bytes(Table.Reverse().Select(p => $"[PRB:{p.X},{p.Y},0.000:1]")));
+        var files = new JobFiles(folder["job.json"]);
+        AreSame(files, log, files.Theoretical(new(folder["given.csv"])));
+    }
+
+    [Fact]
     public void A_list_in_the_job_is_the_order_of_the_log()
     {
         using var folder = Copied();
@@ -88,9 +99,9 @@ public sealed class LogRunTests
             Assert.Throws<InputException>(() => new JobFiles(folder["job.json"]).Theoretical()).Code);
     }
 
-    private static void AreSame(JobFiles files, GivenFile log)
+    private static void AreSame(JobFiles files, GivenFile log, MeasurementFile? theoretical = null)
     {
-        var part = files.Part(log);
+        var part = files.Part(log, theoretical);
         foreach (var (label, x, y) in Needed)
         {
             Assert.Equal(double.Parse(x, CultureInfo.InvariantCulture), part[label].Position.X);

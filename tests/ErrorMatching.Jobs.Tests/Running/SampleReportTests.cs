@@ -37,13 +37,14 @@ public sealed class SampleReportTests
             f => Assert.Equal(
                 report.BeyondTolerance(f.First).Select(p => p.Point), read.BeyondTolerance(f.Second).Select(p => p.Point)));
 
+        var part = files.Part(null);
         var verified = VerifyRun.Report(
             new(
                 files.Job,
                 files.Theoretical(),
-                files.Part(null),
-                files.Counterpart(new(In("counterpart.csv"))),
-                files.Counterpart(new(In("counterpart-after.csv"))),
+                part,
+                files.Counterpart(new(In("counterpart.csv")), part),
+                files.Counterpart(new(In("counterpart-after.csv")), part),
                 "counterpart.nc",
                 files.Program(null).Bytes),
             out _)!;

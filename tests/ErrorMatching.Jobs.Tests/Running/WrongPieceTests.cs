@@ -30,11 +30,17 @@ public sealed class WrongPieceTests
     public void The_part_s_file_is_no_measurement_of_a_counterpart()
     {
         using var folder = Copied();
+        var part = new JobFiles(folder["job.json"]).Part(null);
+        Assert.Equal(folder["part.csv"], part.File);
+
+        // It matters which part is given, and not what these files have read.
         var files = new JobFiles(folder["job.json"]);
-        Assert.Equal(folder["part.csv"], files.Part(null).File);
-        var error = Assert.Throws<InputException>(() => files.Counterpart(new("c.csv", File.ReadAllBytes(folder["part.csv"]))));
+        var copy = new GivenFile("c.csv", File.ReadAllBytes(folder["part.csv"]));
+        var error = Assert.Throws<InputException>(() => files.Counterpart(copy, part));
         Assert.Equal(("wrong-piece", "c.csv"), (error.Code, error.File));
-        Assert.Equal(folder["counterpart.csv"], files.Counterpart(new(folder["counterpart.csv"])).File);
+        Assert.Equal(folder["counterpart.csv"], files.Counterpart(new(folder["counterpart.csv"]), part).File);
+        _ = files.Part(null);
+        Assert.Equal("c.csv", files.Counterpart(copy, part: null).File);
     }
 
     [Fact]

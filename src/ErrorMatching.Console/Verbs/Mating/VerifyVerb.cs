@@ -56,11 +56,12 @@ internal sealed class VerifyVerb : Verb
                 new() { File = files.Job.File, Path = "$.features" }));
         }
 
-        var (theoretical, part) = (files.Theoretical(), files.Part(GivenMeasurement(arguments.GetValue(_part))));
+        var theoretical = files.Theoretical();
+        var part = files.Part(GivenMeasurement(arguments.GetValue(_part)), theoretical);
         files.CheckFrame(theoretical, part);
         var (before, after) = (
-            arguments.GetValue(_before) is { } given ? files.Counterpart(GivenMeasurement(given)) : null,
-            files.Counterpart(GivenMeasurement(arguments.GetRequiredValue(_after))));
+            arguments.GetValue(_before) is { } given ? files.Counterpart(GivenMeasurement(given), part, theoretical) : null,
+            files.Counterpart(GivenMeasurement(arguments.GetRequiredValue(_after)), part, theoretical));
         if (before is not null && before.Sha256 == after.Sha256)
         {
             throw InputRefusals.SameMeasurement(after.File, before.File);
