@@ -1,4 +1,4 @@
-using System.Security.Cryptography;
+using ErrorMatching.Json;
 using ErrorMatching.Measurement;
 using ErrorMatching.Reporting;
 
@@ -222,7 +222,7 @@ internal sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDis
             }
             else if (Whole(file, description) is { } bytes)
             {
-                var sha256 = Convert.ToHexStringLower(SHA256.HashData(bytes));
+                var sha256 = ContentHash.Sha256(bytes);
                 archive(new(gauge.Name, ShownName.Of(file.Name), ArrivalKey.Of(gauge.Name, file.Name, changed, sha256), bytes));
                 return RemoveMarker(file.Name) && _claims.Remove(file.Name) && RemoveDescription(description)
                     ? true

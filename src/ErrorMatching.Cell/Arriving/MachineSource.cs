@@ -1,4 +1,4 @@
-using System.Security.Cryptography;
+using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell;
 
@@ -149,5 +149,5 @@ internal sealed class MachineSource(GaugeSettings gauge, IMachineFolder folder, 
     private Arrival Arrival(string name, byte[] bytes, string sha256) =>
         new(gauge.Name, ShownName.Of(name), ArrivalKey.Of(gauge.Name, name, sha256), bytes);
 
-    private static string Sha256(byte[] bytes) => Convert.ToHexStringLower(SHA256.HashData(bytes));
+    private static string Sha256(byte[] bytes) => ContentHash.Sha256(bytes);
 }

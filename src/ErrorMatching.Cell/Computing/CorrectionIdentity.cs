@@ -1,6 +1,6 @@
 using System.Globalization;
-using System.Security.Cryptography;
 using System.Text;
+using ErrorMatching.Json;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
@@ -57,7 +57,7 @@ internal static class CorrectionIdentity
         return Sha256(text);
     }
 
-    private static string Sha256(StringBuilder text) => Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(text.ToString())));
+    private static string Sha256(StringBuilder text) => ContentHash.Sha256(text.ToString());
 
     private static string Hash(string sha256) => sha256.Length == Digits && sha256.All(c => c is (>= '0' and <= '9') or (>= 'a' and <= 'f'))
         ? sha256

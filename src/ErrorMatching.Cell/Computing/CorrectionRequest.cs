@@ -1,4 +1,4 @@
-using System.Security.Cryptography;
+using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell;
 
@@ -47,5 +47,5 @@ public sealed record CorrectionRequest
 public sealed record StoredFile(string Name, ReadOnlyMemory<byte> Bytes)
 {
     /// <summary>SHA-256 of its content as 64 lower-case hexadecimal digits.</summary>
-    public string Sha256 => Convert.ToHexStringLower(SHA256.HashData(Bytes.Span));
+    public string Sha256 => ContentHash.Sha256(Bytes.Span);
 }

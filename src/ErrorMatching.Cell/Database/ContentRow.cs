@@ -1,5 +1,5 @@
 using System.Data.Common;
-using System.Security.Cryptography;
+using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell;
 
@@ -10,7 +10,7 @@ internal static class ContentRow
     public const string Columns = "bytes, form, length, source, made_by";
 
     /// <summary>The hash of a content, as 64 lowercase hexadecimal digits.</summary>
-    public static string Sha256(ReadOnlySpan<byte> plain) => Convert.ToHexStringLower(SHA256.HashData(plain));
+    public static string Sha256(ReadOnlySpan<byte> plain) => ContentHash.Sha256(plain);
 
     /// <summary>Reads a row's content.</summary>
     public static PackedContent Read(DbDataReader row) => new(

@@ -1,7 +1,6 @@
 using System.Collections.Concurrent;
 using System.Data.Common;
 using System.Globalization;
-using System.Security.Cryptography;
 using System.Text;
 using ErrorMatching.Json;
 using Microsoft.Data.Sqlite;
@@ -94,7 +93,7 @@ internal sealed class SqliteDatabase : CellDatabase
 
     public override ISlotLock? TryLock(string name)
     {
-        var hash = Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(name)))[..16];
+        var hash = ContentHash.Sha256(name)[..16];
         return FileLock.TryTake(FileLock.NameBeside(_file, hash));
     }
 

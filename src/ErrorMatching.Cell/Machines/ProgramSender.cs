@@ -1,4 +1,4 @@
-using System.Security.Cryptography;
+using ErrorMatching.Json;
 using ErrorMatching.Reporting;
 using Polly;
 
@@ -289,7 +289,7 @@ public sealed class ProgramSender(
         TransportError.Denied or TransportError.Full or TransportError.CannotReplace or TransportError.Differs or TransportError.TooLarge
         or TransportError.NotAFile or TransportError.Unknown;
 
-    private static string? HashOf(byte[]? bytes) => bytes is null ? null : Convert.ToHexStringLower(SHA256.HashData(bytes));
+    private static string? HashOf(byte[]? bytes) => bytes is null ? null : ContentHash.Sha256(bytes);
 
     private static bool AreSame(byte[]? there, ReadOnlyMemory<byte> bytes) => there is not null && there.AsSpan().SequenceEqual(bytes.Span);
 

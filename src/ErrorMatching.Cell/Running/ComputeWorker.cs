@@ -1,3 +1,4 @@
+using ErrorMatching.Json;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
@@ -126,5 +127,5 @@ internal sealed class ComputeWorker(CellFlow flow)
         flow.Step(recognized, CorrectionState.Refused, reason, c => c with { Code = code, Reason = reason, Identity = null });
 
     private static string HashOf(ReadOnlyMemory<byte> bytes) =>
-        Convert.ToHexStringLower(System.Security.Cryptography.SHA256.HashData(bytes.Span));
+        ContentHash.Sha256(bytes.Span);
 }

@@ -1,5 +1,4 @@
-using System.Security.Cryptography;
-using System.Text;
+using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell;
 
@@ -196,6 +195,6 @@ internal sealed class EventWorker : IAsyncDisposable
     private static string ClientOf(CellStore store, string cell)
     {
         var first = store.AuditEntries(0, 1) is [var entry] ? entry.Hash : AuditEntry.NoHash;
-        return "errormatch-" + Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes($"{first}\n{cell}")))[..12];
+        return "errormatch-" + ContentHash.Sha256($"{first}\n{cell}")[..12];
     }
 }

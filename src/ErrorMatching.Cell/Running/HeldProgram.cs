@@ -1,4 +1,4 @@
-using System.Security.Cryptography;
+using ErrorMatching.Json;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
@@ -90,7 +90,7 @@ internal sealed class HeldProgram(CellFlow flow, SlotPlace place, MachineListing
             found = await place.Sender.CurrentAsync(place.Slot.Program, cancellation);
         }
 
-        var hash = found is null ? null : Convert.ToHexStringLower(SHA256.HashData(found));
+        var hash = found is null ? null : ContentHash.Sha256(found);
         if (hash == program)
         {
             if (IsChanged)

@@ -1,5 +1,5 @@
-using System.Security.Cryptography;
 using ErrorMatching.Jobs;
+using ErrorMatching.Json;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
@@ -79,7 +79,7 @@ internal sealed class OriginalPrograms(CellSettings settings)
             {
                 if (Of(job) is { } bytes)
                 {
-                    hashes.Add(Convert.ToHexStringLower(SHA256.HashData(bytes.Span)));
+                    hashes.Add(ContentHash.Sha256(bytes.Span));
                 }
             }
             catch (InputException)

@@ -1,4 +1,4 @@
-using System.Security.Cryptography;
+using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell;
 
@@ -36,7 +36,7 @@ public sealed class SlotRelease(CellSettings settings, CellStore store, Func<Mac
     {
         using var folder = open(machine);
         var found = await new ProgramSender(folder, store.Keeps).CurrentAsync(slot.Program, cancellation);
-        var hash = found is null ? null : Convert.ToHexStringLower(SHA256.HashData(found));
+        var hash = found is null ? null : ContentHash.Sha256(found);
         if (hash == program)
         {
             return;

@@ -1,5 +1,5 @@
 using System.Globalization;
-using System.Security.Cryptography;
+using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell;
 
@@ -102,7 +102,7 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
         var sender = new ProgramSender(folder, store.Keeps, TransferTries.For(machine, clock), guard);
         await sender.RecoverAsync(slot.Program, cancellation);
         var there = await sender.CurrentAsync(slot.Program, cancellation);
-        var found = there is null ? null : Convert.ToHexStringLower(SHA256.HashData(there));
+        var found = there is null ? null : ContentHash.Sha256(there);
         if (found != correction.ProgramSha256 && found != previous)
         {
             throw new DecisionException(

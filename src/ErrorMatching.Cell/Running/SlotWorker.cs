@@ -1,5 +1,5 @@
 using System.Globalization;
-using System.Security.Cryptography;
+using ErrorMatching.Json;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
@@ -303,7 +303,7 @@ internal sealed class SlotWorker(
             c => c with { Code = code, Reason = reason, PreviousSha256 = found is null ? c.PreviousSha256 : HashOf(found) },
             found is null ? null : [found]);
 
-    private static string? HashOf(byte[]? bytes) => bytes is null ? null : Convert.ToHexStringLower(SHA256.HashData(bytes));
+    private static string? HashOf(byte[]? bytes) => bytes is null ? null : ContentHash.Sha256(bytes);
 }
 
 /// <summary>What a slot's worker sees of its slot. A store that reports every change is read again only after it has reported

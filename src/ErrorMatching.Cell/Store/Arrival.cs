@@ -1,6 +1,5 @@
 using System.Globalization;
-using System.Security.Cryptography;
-using System.Text;
+using ErrorMatching.Json;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
@@ -50,5 +49,5 @@ internal static class ArrivalKey
 
     // No part contains a zero, so no two lists of parts give the same text.
     private static string Hash(params string[] parts) =>
-        Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(string.Join('\0', parts))));
+        ContentHash.Sha256(string.Join('\0', parts));
 }

@@ -1,4 +1,4 @@
-using System.Security.Cryptography;
+using ErrorMatching.Json;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 
@@ -87,7 +87,7 @@ public static class SurfaceDisplacer
 
         var marker = rewrite.Result.Patches.Count == 0
             ? null
-            : new Marker(measurementSha256, Convert.ToHexStringLower(SHA256.HashData(program.Span)));
+            : new Marker(measurementSha256, ContentHash.Sha256(program.Span));
         var displaced = marker is null ? rewrite.Result.Program : NcProgram.Read(marker.InsertInto(rewrite.Result.Program), syntax);
         var proof = Prover.Check(path, displaced, wish, rewrite.Result.LeastIncrementMm, marker?.TextIn(syntax));
         return proof.Holds

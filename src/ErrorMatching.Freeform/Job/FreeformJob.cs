@@ -1,4 +1,3 @@
-using System.Security.Cryptography;
 using System.Text;
 using ErrorMatching.Json;
 using ErrorMatching.Refusals;
@@ -95,7 +94,7 @@ public sealed record FreeformJob
         }
 
         var reader = new FreeformJobReader(document);
-        var job = reader.Read(file, Convert.ToHexStringLower(SHA256.HashData(bytes)));
+        var job = reader.Read(file, ContentHash.Sha256(bytes));
         return reader.Problems.Count == 0 ? job : throw new InputException(file, reader.Problems);
     }
 

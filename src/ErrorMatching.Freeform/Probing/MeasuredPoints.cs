@@ -1,6 +1,5 @@
-using System.Security.Cryptography;
-using System.Text;
 using ErrorMatching.Geometry;
+using ErrorMatching.Json;
 using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
 
@@ -31,8 +30,7 @@ public sealed record MeasuredPoints(string File, string Sha256, IReadOnlyList<Me
         ArgumentNullException.ThrowIfNull(measured);
         return measured is [var only]
             ? only.Sha256
-            : Convert.ToHexStringLower(SHA256.HashData(Encoding.ASCII.GetBytes(
-                string.Concat(measured.Select(m => m.Sha256).Order(StringComparer.Ordinal)))));
+            : ContentHash.Sha256(string.Concat(measured.Select(m => m.Sha256).Order(StringComparer.Ordinal)));
     }
 
     /// <summary>Throws if files contain the same measurement, which would count several times.</summary>

@@ -1,5 +1,5 @@
-using System.Security.Cryptography;
 using System.Text;
+using ErrorMatching.Json;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 
@@ -72,7 +72,7 @@ public sealed class ProbingProgram
     }
 
     /// <summary>The plan's identifier in a log: 16 hexadecimal digits of the SHA-256 of <see cref="PlanCsv"/>.</summary>
-    public static string PlanId(MeasuringPlan plan) => Convert.ToHexString(SHA256.HashData(PlanCsv.Write(plan)))[..16];
+    public static string PlanId(MeasuringPlan plan) => ContentHash.Sha256(PlanCsv.Write(plan))[..16].ToUpperInvariant();
 
     /// <summary>Merges a program for one run of the control: semi-finishing, then probing, then a stop for the finishing program (Lee
     /// 2019, section 2.1).</summary>

@@ -1,6 +1,5 @@
-using System.Security.Cryptography;
-using System.Text;
 using System.Text.Json;
+using ErrorMatching.Json;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Jobs;
@@ -91,5 +90,5 @@ public sealed class DraftFolder(string folder)
     private string ProgramFile(string job, string sha256) => Path.Combine(folder, $"{Name(job)}.{sha256}.nc");
 
     // Job names may contain characters that file names must not.
-    private static string Name(string job) => Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(job)))[..16];
+    private static string Name(string job) => ContentHash.Sha256(job)[..16];
 }

@@ -1,5 +1,5 @@
-using System.Security.Cryptography;
 using System.Text.Json.Serialization;
+using ErrorMatching.Json;
 
 namespace ErrorMatching.Jobs;
 
@@ -15,5 +15,5 @@ public sealed record DraftProgram
 
     /// <summary>Creates it from the program's bytes.</summary>
     public static DraftProgram Of(ReadOnlyMemory<byte> bytes) =>
-        new() { Sha256 = Convert.ToHexStringLower(SHA256.HashData(bytes.Span)), Bytes = bytes };
+        new() { Sha256 = ContentHash.Sha256(bytes.Span), Bytes = bytes };
 }

@@ -1,4 +1,3 @@
-using System.Security.Cryptography;
 using ErrorMatching.Freeform;
 using ErrorMatching.Json;
 using ErrorMatching.Measurement;
@@ -236,7 +235,7 @@ public sealed class FreeformFiles
 
     private ReadOnlyMemory<byte> Note(string role, string file, ReadOnlyMemory<byte> bytes)
     {
-        _inputs.Add(new(role, file, Convert.ToHexStringLower(SHA256.HashData(bytes.Span))));
+        _inputs.Add(new(role, file, ContentHash.Sha256(bytes.Span)));
         return bytes;
     }
 }

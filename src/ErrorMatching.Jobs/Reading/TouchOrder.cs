@@ -1,6 +1,6 @@
 using System.Globalization;
-using System.Security.Cryptography;
 using System.Text;
+using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
 
@@ -47,6 +47,6 @@ internal static class TouchOrder
             text.Append(CultureInfo.InvariantCulture, $"{label},{at.X:0.000000},{at.Y:0.000000}\n");
         }
 
-        return Convert.ToHexString(SHA256.HashData(Encoding.UTF8.GetBytes(text.ToString())))[..16];
+        return ContentHash.Sha256(text.ToString())[..16].ToUpperInvariant();
     }
 }

@@ -1,4 +1,4 @@
-using System.Security.Cryptography;
+using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
@@ -49,14 +49,12 @@ internal static class PreviousMatchReport
         }
 
         return program is null || Made(report, pieces, program)
-            ? new(given.File, Sha256(bytes), pieces) { Offsets = MatchReportJson.OffsetsOf(report) }
+            ? new(given.File, ContentHash.Sha256(bytes.Span), pieces) { Offsets = MatchReportJson.OffsetsOf(report) }
             : throw report.Refusal("program", "other-program", "the report of the program that cut this counterpart");
     }
 
     // By its bytes, or by its marker if somebody has changed something else in it.
     private static bool Made(ReportReader report, MeasuredLot pieces, NcProgram program) =>
-        report.Object("program").Text("sha256") == Sha256(program.Bytes)
+        report.Object("program").Text("sha256") == ContentHash.Sha256(program.Bytes.Span)
             || Marker.Find(program).Any(m => m.Marker?.MeasurementSha256 == pieces.Pieces[^1].MeasuredSha256);
-
-    private static string Sha256(ReadOnlyMemory<byte> bytes) => Convert.ToHexStringLower(SHA256.HashData(bytes.Span));
 }

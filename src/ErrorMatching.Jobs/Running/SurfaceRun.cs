@@ -1,4 +1,3 @@
-using System.Security.Cryptography;
 using ErrorMatching.Freeform;
 using ErrorMatching.Geometry;
 using ErrorMatching.Json;
@@ -55,7 +54,7 @@ public static class SurfaceRun
             var marker = new Marker(MeasuredPoints.Sha256Of(result.Input.Measured), surfaceSha256);
             Doing(request, "writing the program");
             var program = FinishingProgram.Write(planned.Path, job, dialect, marker: marker, template: template);
-            var named = new ReportInput("finishing", made ?? FinishedSurface.Name, Convert.ToHexStringLower(SHA256.HashData(program)));
+            var named = new ReportInput("finishing", made ?? FinishedSurface.Name, ContentHash.Sha256(program));
             return new FinishedSurface(program, new(files.Named, files.Inputs, result, planned.Path, named, request.ElapsedS?.Invoke())
             {
                 CallsTool = template.CallsTool(job),
@@ -87,7 +86,7 @@ public static class SurfaceRun
         var made = request.Folder is { } folder ? PathText.In(folder, Path.GetFileName(program.File)) : null;
         return Fitted<DisplacedSurface>(request, () =>
         {
-            var programSha256 = Convert.ToHexStringLower(SHA256.HashData(bytes.Span));
+            var programSha256 = ContentHash.Sha256(bytes.Span);
             var surface = files.Surface();
             if (Compensated(
                 files, job, surface, request, dialect.Syntax, made, programSha256, cancellation, out var refusals, out var cutBy)

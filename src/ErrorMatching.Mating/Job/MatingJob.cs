@@ -1,4 +1,3 @@
-using System.Security.Cryptography;
 using System.Text;
 using System.Text.Json.Nodes;
 using ErrorMatching.Geometry;
@@ -146,7 +145,7 @@ public sealed record MatingJob
         }
 
         var reader = new JobReader(document);
-        var job = reader.Read(file, Convert.ToHexStringLower(SHA256.HashData(bytes)));
+        var job = reader.Read(file, ContentHash.Sha256(bytes));
         return reader.Problems.Count == 0 ? job : throw new InputException(file, reader.Problems);
     }
 

@@ -1,6 +1,6 @@
-using System.Security.Cryptography;
 using System.Globalization;
 using ErrorMatching.Geometry;
+using ErrorMatching.Json;
 using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
@@ -87,7 +87,7 @@ internal static class FeatureMapper
     /// <summary>Why a program is not the one for which the job's blocks were chosen; null if it is, or if the job does not say.</summary>
     internal static Refusal? Changed(MatingJob job, NcProgram program) =>
         job.Counterpart.ProgramSha256 is { } stated
-        && Convert.ToHexStringLower(SHA256.HashData(program.Bytes.Span)) is var found && found != stated
+        && ContentHash.Sha256(program.Bytes.Span) is var found && found != stated
             ? new(
                 ProgramChanged,
                 $"The program has the SHA-256 {found}, the job was made for {stated}: it was edited, or it is another program. "

@@ -1,4 +1,4 @@
-using System.Security.Cryptography;
+using ErrorMatching.Json;
 using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
@@ -44,7 +44,7 @@ public sealed record MatchInput(
     public string? OffsetsFile { get; init; }
 
     /// <summary>SHA-256 of the program's bytes as 64 lower-case hexadecimal digits.</summary>
-    public string ProgramSha256 => Convert.ToHexStringLower(SHA256.HashData(Program.Span));
+    public string ProgramSha256 => ContentHash.Sha256(Program.Span);
 
     /// <summary>The measurement to compensate: the part's in feed-forward, the counterpart's in feedback.</summary>
     /// <exception cref="ArgumentException">The job is feedback and there is no measured counterpart.</exception>

@@ -1,5 +1,4 @@
 using System.Globalization;
-using System.Security.Cryptography;
 using ErrorMatching.Geometry;
 using ErrorMatching.Json;
 using ErrorMatching.Measurement;
@@ -68,7 +67,7 @@ public static class MatchReporter
         }
 
         var name = input.OffsetsFile ?? OffsetProgram.FileBeside(dialect, input.ProgramFile);
-        return new(choice, PathText.Beside(programFile, name), Convert.ToHexStringLower(SHA256.HashData(program)))
+        return new(choice, PathText.Beside(programFile, name), ContentHash.Sha256(program))
         {
             Call = OffsetProgram.CallOf(dialect, name, input.Job.Correction.ProgramNumber),
         };
@@ -218,7 +217,7 @@ public static class MatchReporter
 
     private static ReportProgram Program(MatchResult result, string programFile) => new(
         programFile,
-        Convert.ToHexStringLower(SHA256.HashData(result.Program.Span)),
+        ContentHash.Sha256(result.Program.Span),
         result.Rewrite?.ChangedBlocks.Count ?? 0,
         result.Rewrite?.ChangedWords ?? 0,
         result.Rewrite is { } rewrite ? BlockComparison.Of(result.Before.Program, rewrite) : []);

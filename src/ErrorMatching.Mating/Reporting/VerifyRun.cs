@@ -1,5 +1,5 @@
-using System.Security.Cryptography;
 using ErrorMatching.Geometry;
+using ErrorMatching.Json;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
@@ -64,7 +64,7 @@ public static class VerifyRun
             new("part", input.Part.File, input.Part.Sha256),
             .. input.Before is { } measured ? [new ReportInput("counterpart", measured.File, measured.Sha256)] : Array.Empty<ReportInput>(),
             new("counterpart-after", input.After.File, input.After.Sha256),
-            new("program", input.ProgramFile, Convert.ToHexStringLower(SHA256.HashData(input.Program.Span))),
+            new("program", input.ProgramFile, ContentHash.Sha256(input.Program.Span)),
             .. path.Dialect.Files.Select(f => new ReportInput("dialect", f.File, f.Sha256)),
         ];
         return new(

@@ -1,4 +1,4 @@
-using System.Security.Cryptography;
+using ErrorMatching.Json;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Measurement;
@@ -36,7 +36,7 @@ public sealed class MeasurementBytes
     public IReadOnlyList<string> Files => Description is null ? [File] : [File, Description.File];
 
     /// <summary>SHA-256 of the bytes, the description's before those of the values, as 64 lowercase hexadecimal digits.</summary>
-    public string Sha256 => Convert.ToHexStringLower(SHA256.HashData(Description is null ? Bytes.Span : _both));
+    public string Sha256 => ContentHash.Sha256(Description is null ? Bytes.Span : _both);
 
     /// <summary>Reads a measurement. With a file of values (<c>.dfx</c>), the file that describes them is read from the same folder: the
     /// same name with <c>.dfd</c>, no link.</summary>

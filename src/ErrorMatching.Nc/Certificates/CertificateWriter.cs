@@ -1,9 +1,9 @@
 using System.Buffers;
-using System.Security.Cryptography;
 using System.Text;
 using System.Text.Encodings.Web;
 using System.Text.Json;
 using ErrorMatching.Geometry;
+using ErrorMatching.Json;
 
 namespace ErrorMatching.Nc;
 
@@ -39,8 +39,8 @@ internal sealed class CertificateWriter : IDisposable
         var (before, after) = (_certificate.Task.Before, _certificate.Task.After);
         Append("{\n");
         Member("schema", json => json.WriteStringValue(Certificate.Schema));
-        Member("baseSha256", json => json.WriteStringValue(Hash(before.Program.Bytes.Span)));
-        Member("resultSha256", json => json.WriteStringValue(Hash(after.Program.Bytes.Span)));
+        Member("baseSha256", json => json.WriteStringValue(ContentHash.Sha256(before.Program.Bytes.Span)));
+        Member("resultSha256", json => json.WriteStringValue(ContentHash.Sha256(after.Program.Bytes.Span)));
         Member("dialect", WriteFacts);
         WriteCodes();
         WriteIncrement();
@@ -48,7 +48,7 @@ internal sealed class CertificateWriter : IDisposable
         Member("wish", json => json.WriteStringValue(_certificate.Task.Wish.EndPoints.Count > 0 ? "points" : "elements"));
         WriteMoved();
         Append("  \"seal\": \"");
-        var seal = Hash(_bytes.WrittenSpan[..^"  \"seal\": \"".Length]);
+        var seal = ContentHash.Sha256(_bytes.WrittenSpan[..^"  \"seal\": \"".Length]);
         Append(seal + "\"\n}\n");
     }
 
@@ -326,6 +326,4 @@ internal sealed class CertificateWriter : IDisposable
 
     // Without a negative zero.
     private static decimal Round(double value, int decimals = 9) => Math.Round((decimal)value, decimals) + 0m;
-
-    private static string Hash(ReadOnlySpan<byte> bytes) => Convert.ToHexStringLower(SHA256.HashData(bytes));
 }

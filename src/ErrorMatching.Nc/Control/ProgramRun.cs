@@ -1,5 +1,5 @@
-using System.Security.Cryptography;
 using System.Text;
+using ErrorMatching.Json;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
@@ -77,7 +77,7 @@ internal sealed class ProgramRun(
             return null;
         }
 
-        _called.Add(new(name, Convert.ToHexStringLower(SHA256.HashData(called.Bytes.Span))));
+        _called.Add(new(name, ContentHash.Sha256(called.Bytes.Span)));
         return called.In(control.Dialect.Syntax);
     }
 

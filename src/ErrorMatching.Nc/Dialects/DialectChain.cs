@@ -1,4 +1,3 @@
-using System.Security.Cryptography;
 using ErrorMatching.Json;
 using ErrorMatching.Refusals;
 
@@ -87,7 +86,7 @@ internal static class DialectChain
             throw new InputException(file, problems);
         }
 
-        var document = new DialectDocument(file, root, Convert.ToHexStringLower(SHA256.HashData(bytes)));
+        var document = new DialectDocument(file, root, ContentHash.Sha256(bytes));
         if (document.Like is null)
         {
             throw Refuse(document, root, "missing-key", "no key \"like\"", "the key \"like\" with the dialect that this one continues");

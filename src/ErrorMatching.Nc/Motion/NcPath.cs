@@ -1,5 +1,4 @@
-using System.Security.Cryptography;
-using System.Text;
+using ErrorMatching.Json;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Nc;
@@ -75,11 +74,11 @@ public sealed class NcPath
     {
         get
         {
-            var own = Convert.ToHexStringLower(SHA256.HashData(Program.Bytes.Span));
+            var own = ContentHash.Sha256(Program.Bytes.Span);
             return CalledPrograms.Count == 0 && Assumed.Length == 0
                 ? own
-                : Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(string.Join('\n',
-                    [own, .. CalledPrograms.Select(c => $"{c.Name} {c.Sha256}"), .. Assumed.Length == 0 ? [] : (string[])[Assumed]]))));
+                : ContentHash.Sha256(string.Join('\n',
+                    [own, .. CalledPrograms.Select(c => $"{c.Name} {c.Sha256}"), .. Assumed.Length == 0 ? [] : (string[])[Assumed]]));
         }
     }
 

@@ -1,6 +1,5 @@
 using System.CommandLine;
 using System.Globalization;
-using System.Security.Cryptography;
 using ErrorMatching.Cell;
 using ErrorMatching.Json;
 using ErrorMatching.Refusals;
@@ -143,7 +142,7 @@ internal sealed class CellRun : CellVerb
 
     // Who approves, and within which limits, is part of the evidence: a raised limit shows in the trail.
     private static Statement InForce(CellSettings settings) => Recorded.Started.With(
-        Convert.ToHexStringLower(SHA256.HashData(SharedFile.ReadAllBytes(settings.File))),
+        ContentHash.Sha256(SharedFile.ReadAllBytes(settings.File)),
         settings.Jobs.Where(j => j.Policy is not null)
             .Select(j => Recorded.PoliciesOfJob.With([j.Name, .. Words(j.Policy!)]))
             .Prepend(Recorded.PoliciesOfCell.With(Words(settings.Policy))));

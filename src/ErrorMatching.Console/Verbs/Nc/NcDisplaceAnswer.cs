@@ -1,6 +1,6 @@
 using System.Globalization;
-using System.Security.Cryptography;
 using System.Text.Json;
+using ErrorMatching.Json;
 using ErrorMatching.Nc;
 using ErrorMatching.Reporting;
 
@@ -27,7 +27,7 @@ internal sealed class NcDisplaceAnswer(string file, string? output, NcPath path,
         json.WriteString("file", file);
         json.WriteString("dialect", path.Dialect.Name);
         json.WriteString("output", output);
-        json.WriteString("sha256", Convert.ToHexStringLower(SHA256.HashData(rewrite.Program.Bytes.Span)));
+        json.WriteString("sha256", ContentHash.Sha256(rewrite.Program.Bytes.Span));
         json.WriteNumber("changedBlocks", rewrite.ChangedBlocks.Count);
         json.WriteNumber("changedWords", rewrite.ChangedWords);
         json.WriteStartArray("blocks");

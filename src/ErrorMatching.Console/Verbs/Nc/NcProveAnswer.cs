@@ -1,6 +1,6 @@
 using System.Globalization;
-using System.Security.Cryptography;
 using System.Text.Json;
+using ErrorMatching.Json;
 using ErrorMatching.Nc;
 
 namespace ErrorMatching.Console;
@@ -24,7 +24,7 @@ internal sealed class NcProveAnswer(string before, string after, string file, Wi
         json.WriteString("before", before);
         json.WriteString("beforeSha256", wish.BeforeSha256);
         json.WriteString("after", after);
-        json.WriteString("afterSha256", Convert.ToHexStringLower(SHA256.HashData(comparison.After.Program.Bytes.Span)));
+        json.WriteString("afterSha256", ContentHash.Sha256(comparison.After.Program.Bytes.Span));
         json.WriteString("wish", file);
         json.WriteString("dialect", wish.Dialect);
         json.WriteNumber("leastIncrementMm", wish.LeastIncrementMm);
