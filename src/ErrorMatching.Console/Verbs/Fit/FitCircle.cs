@@ -1,4 +1,5 @@
 using System.CommandLine;
+using System.Text.Json;
 using ErrorMatching.Geometry;
 using ErrorMatching.Measurement;
 
@@ -17,4 +18,29 @@ internal sealed class FitCircle : FitVerb
 
     protected override VerbResult Fit(NumberTable table, ParseResult arguments) =>
         new FitCircleAnswer(table, CircleFit.Fit(PointsOf(table)));
+}
+
+/// <summary>A fitted circle.</summary>
+internal sealed class FitCircleAnswer(NumberTable table, CircleFit fit)
+    : FitAnswer(table, fit.Residuals, fit.ResidualStandardDeviation, fit.Condition)
+{
+    public override string Schema => "errormatch/fit-circle/1";
+
+    protected override string Title => "Circle by geometric least squares";
+
+    protected override void WriteFit(Utf8JsonWriter json)
+    {
+        json.Point("center", fit.Circle.Center);
+        json.Pair("centerStandardError", fit.CenterStandardError.X, fit.CenterStandardError.Y);
+        json.Number("radius", fit.Circle.Radius);
+        json.Number("radiusStandardError", fit.RadiusStandardError);
+    }
+
+    protected override void WriteFit(Page page) => page.Table(
+        ["", "value", "standard error"],
+        [
+            ["center x", Show.Mm(fit.Circle.Center.X), Show.Digits(fit.CenterStandardError.X)],
+            ["center y", Show.Mm(fit.Circle.Center.Y), Show.Digits(fit.CenterStandardError.Y)],
+            ["radius", Show.Mm(fit.Circle.Radius), Show.Digits(fit.RadiusStandardError)],
+        ]);
 }

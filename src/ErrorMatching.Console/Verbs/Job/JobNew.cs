@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.Runtime.CompilerServices;
 using System.Text;
+using System.Text.Json;
 using ErrorMatching.Cell;
 using ErrorMatching.Freeform;
 using ErrorMatching.Jobs;
@@ -117,4 +118,19 @@ internal sealed class JobNew : Verb
     // A method of its own, so that a job does not load the cell.
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static string CellText() => CellTemplate.Text;
+}
+
+/// <summary>A new job or configuration.</summary>
+/// <param name="file">The file.</param>
+/// <param name="check">The verb that checks it.</param>
+internal sealed class JobNewAnswer(string file, string check) : DocumentAnswer
+{
+    public override string Schema => "errormatch/job-new/1";
+
+    public override void WriteJson(Utf8JsonWriter json) => json.WriteString("file", file);
+
+    public override void WriteText(Page page)
+    {
+        page.Line($"Wrote {file}. Name your files in it and what belongs to them, then: errormatch {check} {file}");
+    }
 }

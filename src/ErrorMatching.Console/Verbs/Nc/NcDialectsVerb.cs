@@ -1,4 +1,5 @@
 using System.CommandLine;
+using System.Text.Json;
 using ErrorMatching.Jobs;
 using ErrorMatching.Nc;
 
@@ -37,4 +38,22 @@ internal sealed class NcDialectsVerb : Verb
         arguments.GetValue(_schema) ? new NcDialectSchemaAnswer()
         : arguments.GetValue(_dialect) is { } dialect ? new NcDialectAnswer(InputFile.Dialect(dialect))
         : new NcDialectsAnswer(NcDialects.All);
+}
+
+/// <summary>The JSON Schema of dialect files. As a document of the console it has an additional key for that, which validators
+/// ignore.</summary>
+internal sealed class NcDialectSchemaAnswer : DocumentAnswer
+{
+    public override string Schema => "errormatch/nc-dialect-schema/1";
+
+    public override void WriteJson(Utf8JsonWriter json)
+    {
+        using var schema = JsonDocument.Parse(NcDialects.Schema);
+        foreach (var member in schema.RootElement.EnumerateObject())
+        {
+            member.WriteTo(json);
+        }
+    }
+
+    public override void WriteText(Page page) => page.Line(NcDialects.Schema.TrimEnd('\n'));
 }
