@@ -1,6 +1,7 @@
 namespace ErrorMatching.Measurement;
 
-/// <summary>Assigns the columns of a file. Each kind of point arrangement is a subfolder with columns, rows and a default format.</summary>
+/// <summary>Assigns the columns of a file. Each kind of point arrangement is a subfolder with its columns, what reads its rows, and a
+/// default format.</summary>
 /// <remarks>A new kind derives from this class and is registered in <see cref="FormatReader"/>.</remarks>
 public abstract record MeasurementColumns
 {
