@@ -140,3 +140,97 @@ internal sealed class DeviationField
         return sum;
     }
 }
+
+/// <summary>What one key point says about the deviations of elements: their weighted sum is the measured value.</summary>
+/// <param name="Terms">One term for a point beside an element, two in the round of a corner.</param>
+/// <param name="ValueMm">The measured value, from the counterpart's material to its tool.</param>
+internal sealed record BoundaryRow(IReadOnlyList<RowTerm> Terms, double ValueMm);
+
+/// <summary>A share of a row.</summary>
+/// <param name="Element">Index of the element.</param>
+/// <param name="AlongMm">Place on it: length along the boundary.</param>
+/// <param name="Weight">The weight.</param>
+internal sealed record RowTerm(int Element, double AlongMm, double Weight);
+
+/// <summary>The posterior covariance of deviations at several places of one field.</summary>
+/// <remarks>Rasmussen and Williams (2006), equation 2.24: what was not known before, less what the key points explain.</remarks>
+internal sealed class JointDeviation
+{
+    private readonly IReadOnlyList<DeviationPrior> _priors;
+    private readonly IReadOnlyList<IReadOnlyList<RowTerm>> _places;
+    private readonly double[][] _explained;
+
+    /// <summary>Creates it.</summary>
+    /// <param name="priors">The priors of the elements.</param>
+    /// <param name="places">The places.</param>
+    /// <param name="explained">For each place, its covariances with the key points, divided by the factor of theirs.</param>
+    public JointDeviation(IReadOnlyList<DeviationPrior> priors, IReadOnlyList<IReadOnlyList<RowTerm>> places, double[][] explained) =>
+        (_priors, _places, _explained) = (priors, places, explained);
+
+    /// <summary>Number of places.</summary>
+    public int Count => _places.Count;
+
+    /// <summary>The covariance of two places, mm^2.</summary>
+    public double Covariance(int place, int other)
+    {
+        var sum = DeviationField.Covariance(_priors, _places[place], _places[other]);
+        var (a, b) = (_explained[place], _explained[other]);
+        for (var i = 0; i < a.Length; i++)
+        {
+            sum -= a[i] * b[i];
+        }
+
+        return sum;
+    }
+}
+
+/// <summary>What is not known about some places of the boundary together: a few columns, each of which one random number scales.</summary>
+/// <param name="First">The first of the places.</param>
+/// <param name="Columns">The columns, each with a number for each place, mm.</param>
+internal sealed record JointFactor(int First, IReadOnlyList<double[]> Columns)
+{
+    // What remains of the variance at a place, as a part of the largest one: 3 % of a standard deviation.
+    private const double Remains = 1e-3;
+
+    /// <summary>The factor of a joint posterior: Cholesky's with the largest variance left as the pivot, until little is left. Smooth
+    /// deviations at hundreds of places need about as many columns as there are key points.</summary>
+    /// <param name="first">The first of the places.</param>
+    /// <param name="joint">What is known about them.</param>
+    public static JointFactor Of(int first, JointDeviation joint)
+    {
+        var n = joint.Count;
+        double[] left = [.. Enumerable.Range(0, n).Select(k => joint.Covariance(k, k))];
+        var (columns, least) = (new List<double[]>(), Remains * left.DefaultIfEmpty().Max());
+        while (columns.Count < n)
+        {
+            var pivot = 0;
+            for (var k = 1; k < n; k++)
+            {
+                pivot = left[k] > left[pivot] ? k : pivot;
+            }
+
+            if (!(left[pivot] > least))
+            {
+                break;
+            }
+
+            var (column, root) = (new double[n], Math.Sqrt(left[pivot]));
+            for (var k = 0; k < n; k++)
+            {
+                var sum = joint.Covariance(k, pivot);
+                foreach (var before in columns)
+                {
+                    sum -= before[k] * before[pivot];
+                }
+
+                column[k] = sum / root;
+                left[k] -= column[k] * column[k];
+            }
+
+            left[pivot] = 0;
+            columns.Add(column);
+        }
+
+        return new(first, columns);
+    }
+}

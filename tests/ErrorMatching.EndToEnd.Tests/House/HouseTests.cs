@@ -111,7 +111,7 @@ public sealed partial class HouseTests
         var features = Repository.PathTo("src", "ErrorMatching.Mating", "Features");
         foreach (var kind in Directory.EnumerateDirectories(features))
         {
-            var types = Directory.EnumerateFiles(kind, "*.cs").Select(f => Path.GetFileNameWithoutExtension(f)).ToArray();
+            var types = Directory.EnumerateFiles(kind, "*.cs").SelectMany(TypesIn).ToArray();
             Assert.Contains(Path.GetFileName(kind) + "Kind", types);
             Assert.Contains(Path.GetFileName(kind) + "Feature", types);
             foreach (var file in Directory.EnumerateFiles(Repository.PathTo("src"), "*.cs", SearchOption.AllDirectories)
@@ -150,6 +150,10 @@ public sealed partial class HouseTests
         });
     }
 
+    // Types inside of others are indented.
+    private static IEnumerable<string> TypesIn(string file) =>
+        DeclaredType().Matches(File.ReadAllText(file)).Select(m => m.Groups["type"].Value);
+
     private static string ShortName(string project) =>
         Path.GetFileNameWithoutExtension(project.Replace('\\', '/')).Replace("ErrorMatching.", "", StringComparison.Ordinal);
 
@@ -161,6 +165,12 @@ public sealed partial class HouseTests
         .Where(f => Path.GetFileName(f) is not ("artifacts" or "bin" or "obj" or ".git" or "out" or "TestResults"))
         .SelectMany(Folders)
         .Prepend(folder);
+
+    [GeneratedRegex(
+        @"^([a-z]+ )*(class|record struct|record|struct|enum|interface|delegate \S+) (?<type>\w+)",
+        RegexOptions.ExplicitCapture | RegexOptions.Multiline,
+        Timeout.Infinite)]
+    private static partial Regex DeclaredType();
 
     [GeneratedRegex("\"{3,}", RegexOptions.None, Timeout.Infinite)]
     private static partial Regex RawMark();

@@ -53,3 +53,69 @@ public static class MatchReportHtml
             html => MatchLead.Write(html, report));
     }
 }
+
+/// <summary>What a setter reads first: the verdict on the pair, the risk, and the worst error left.</summary>
+internal static class MatchLead
+{
+    public static void Write(HtmlText html, MatchReport report)
+    {
+        var verdict = report.Verdict;
+        using (html.In("p", ("id", "verdict"), ("class", verdict.IsToCut ? "verdict holds" : "verdict fails")))
+        {
+            html.Put("strong", $"{(verdict.IsToCut ? "✓" : "✗")} {VerdictWords.Of(verdict)}");
+            string?[] more = [report.Acceptance.Sentence, VerdictWords.Risk(report), VerdictWords.Worst(verdict)];
+            html.Text(string.Join(" ", more.OfType<string>().Concat(VerdictWords.Trust(verdict))));
+            if (report.Warnings.Count > 0)
+            {
+                html.Text(" ");
+                html.Put(
+                    "a",
+                    report.Warnings.Count == 1 ? "Read the warning first." : $"Read the {report.Warnings.Count} warnings first.",
+                    ("href", "#summary"));
+            }
+        }
+
+        if (report.Pair is { } pair)
+        {
+            html.Put("p", PairWords.Of(pair, verdict.AllLimits), ("id", "pair-verdict"));
+        }
+    }
+}
+
+/// <summary>The section that says by what the correction is made, and why not by less.</summary>
+internal static class MatchCorrection
+{
+    public static void Write(HtmlText html, ReportCorrection correction)
+    {
+        html.Put("p", CorrectionWords.ToDo(correction) ?? "No offset is touched.");
+        foreach (var sentence in CorrectionWords.Why(correction))
+        {
+            html.Put("p", sentence);
+        }
+    }
+}
+
+/// <summary>The section with the blocks that differ, original and modified side by side.</summary>
+internal static class MatchProgram
+{
+    public static void Write(HtmlText html, MatchReport report)
+    {
+        var program = report.Program;
+        ReportFacts.Write(
+            html,
+            ("Program", program.File),
+            ("SHA-256", program.Sha256),
+            ("Changed", $"{ReportNumber.Count(program.ChangedBlocks, "block")}, {ReportNumber.Count(program.ChangedWords, "word")}"));
+        if (program.Blocks.Count == 0)
+        {
+            html.Put("p", "No block differs: the program is the original, byte for byte.");
+            return;
+        }
+
+        using (html.In("details", ("open", "open")))
+        {
+            html.Put("summary", $"{ReportNumber.Count(program.Blocks.Count, "block")} side by side");
+            BlockTable.Write(html, program.Blocks);
+        }
+    }
+}

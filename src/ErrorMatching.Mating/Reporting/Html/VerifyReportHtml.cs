@@ -41,3 +41,50 @@ public static class VerifyReportHtml
             html => VerifyLead.Write(html, report));
     }
 }
+
+/// <summary>What everybody reads first on the page of a verification: the verdict by the limits, and its risk.</summary>
+internal static class VerifyLead
+{
+    public static void Write(HtmlText html, VerifyReport report)
+    {
+        var verdict = report.Verdict;
+        var (look, mark) = verdict.IsInTolerance switch
+        {
+            true => ("verdict holds", "✓ "),
+            false => ("verdict fails", "✗ "),
+            null => ("verdict", ""),
+        };
+        using (html.In("p", ("id", "verdict"), ("class", look)))
+        {
+            html.Put("strong", mark + VerifyWords.Of(verdict));
+            if (VerifyWords.Risk(verdict) is { } risk)
+            {
+                html.Text(" " + risk);
+            }
+        }
+
+        if (report.Pair is { } pair)
+        {
+            html.Put("p", VerifyWords.Of(pair, report));
+        }
+    }
+}
+
+/// <summary>Plot and drawings of a verification: both counterparts as measured, against the measured part.</summary>
+internal static class VerifyPictures
+{
+    public static void Write(HtmlText html, VerifyReport report)
+    {
+        var result = report.Result;
+        PlotPoint[] plot = [.. result.Points.Select(p => new PlotPoint(p.Label, "", p.BeforeError.NormalMm, p.AfterError.NormalMm, null))];
+        var drawn = DrawnFeature.Of(
+            [],
+            [.. result.Points.Select(p => new DrawnPoint(p.Label, p.Part, p.Normal, 0, p.BeforeError.NormalMm, p.AfterError.NormalMm))]);
+        ReportPictures.Write(
+            html,
+            plot,
+            AssemblyScene.Of([drawn]),
+            report.IsBeforeMeasured ? "without compensation (measured)" : "without compensation (as designed)",
+            "with compensation (measured)");
+    }
+}

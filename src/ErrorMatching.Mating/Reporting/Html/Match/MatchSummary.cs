@@ -1,3 +1,4 @@
+using ErrorMatching.Geometry;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Mating;
@@ -128,6 +129,129 @@ internal static class MatchSummary
                 $"Every correction is one uniform offset. If the original program cuts with cutter compensation (G41, G42), a "
                     + $"tool-radius wear value of {ReportNumber.SignedMm(w)} ({ReportNumber.SignedMm(2 * w)} where the control keeps a "
                     + $"diameter) does the same with it. Use the new program or the wear value, never both.");
+        }
+    }
+}
+
+/// <summary>Plot and drawings of a match: the mating error without compensation, and the predicted one with it.</summary>
+internal static class MatchPictures
+{
+    public static void Write(HtmlText html, MatchReport report) =>
+        ReportPictures.Write(
+            html,
+            Plot(report),
+            AssemblyScene.Of(report.Features.Select(f => Draw(report, f))),
+            "without compensation",
+            "as compensated (predicted)",
+            [.. report.Features.Select(f => Between(report, f)).OfType<PlotPlace>()]);
+
+    private static PlotPoint[] Plot(MatchReport report)
+    {
+        var limits = report.Features.ToDictionary(f => f.Name, f => f.Tolerance.Band.Opposite(), StringComparer.Ordinal);
+        return [
+            .. report.KeyPoints.Select(p => new PlotPoint(
+                p.Point, p.Feature, p.UncompensatedMm, p.PredictedMm, limits.TryGetValue(p.Feature, out var band) ? band : null)
+            {
+                Interval95Mm = p.Interval95Mm
+            })];
+    }
+
+    // The place on the axis of the points, at its share of the way from one key point to the next.
+    private static PlotPlace? Between(MatchReport report, ReportFeature feature)
+    {
+        if (ErrorLeft.Between(feature) is not { IsKnown: true } worst)
+        {
+            return null;
+        }
+
+        var (points, last, nearest, place) = (report.KeyPoints, -1, double.PositiveInfinity, double.NaN);
+        for (var i = 0; i < points.Count; i++)
+        {
+            if (points[i].Feature != feature.Name)
+            {
+                continue;
+            }
+
+            if (last >= 0)
+            {
+                var way = new Segment2(points[last].Theoretical, points[i].Theoretical);
+                var fraction = way.NearestFraction(worst.Place);
+                var distance = way.At(fraction).DistanceTo(worst.Place);
+                (nearest, place) = distance < nearest ? (distance, last + fraction) : (nearest, place);
+            }
+
+            last = i;
+        }
+
+        return double.IsNaN(place)
+            ? null
+            : new(feature.Name, place, worst.MatingErrorMm, worst.Interval95Mm ?? 0, VerdictWords.Place(worst));
+    }
+
+    private static DrawnFeature? Draw(MatchReport report, ReportFeature feature) => DrawnFeature.Of(
+        feature.TheoreticalOutline,
+        [
+            .. report.PointsOf(feature).Select(p => new DrawnPoint(
+                p.Point, p.Theoretical, p.Normal, p.NormalMm, p.NormalMm + p.UncompensatedMm, p.NormalMm + p.PredictedMm)
+            {
+                Interval95Mm = p.Interval95Mm
+            })]);
+}
+
+/// <summary>The section with the results of reading the new program again.</summary>
+internal static class MatchProof
+{
+    public static void Write(HtmlText html, MatchReport report)
+    {
+        var proof = report.Proof;
+        WriteVerdict(html, proof);
+        (string What, string Found)[] rows =
+        [
+            ("Motions compared", ReportNumber.Count(proof.Motions)),
+            ("Motions that differ", ReportNumber.Count(proof.MovedMotions)),
+            ("Largest distance of a motion from where it was wanted", $"{ReportNumber.Fine(proof.MaxDeviationFromWantedMm)} mm"),
+            (
+                "Neighbors that followed because they touch what moved",
+                proof.Neighbors.Count == 0
+                    ? "none"
+                    : string.Join(
+                        "; ",
+                        proof.Neighbors.Select(
+                            n => $"{n.Block} {ReportWords.Sentence(n.Role)} by {ReportNumber.Fine(n.DisplacementMm)} mm"))),
+            ("Every byte outside the changed words is the original one", proof.UntouchedBytesIdentical ? "✓ yes" : "✗ NO"),
+            ("Marker comment", proof.Marker ?? "none, since nothing was changed"),
+        ];
+        HtmlTable.Write(
+            html,
+            "proof-table",
+            "What the comparison of both programs showed",
+            [new("Question"), new("Finding")],
+            rows,
+            (row, r) =>
+        {
+            row.Header(r.What);
+            using (row.Cell("wrap"))
+            {
+                html.Text(r.Found);
+            }
+        });
+        html.Put(
+            "p",
+            "The new program was read and interpreted again, and compared with the original motion by motion. Tool radius compensation "
+                + "is not applied in the comparison: it is the programmed path that is compared.",
+            ("class", "small"));
+    }
+
+    /// <summary>Writes whether the proof succeeded, as a mark and words.</summary>
+    internal static void WriteVerdict(HtmlText html, ReportProof proof)
+    {
+        using (html.In("p", ("class", proof.Holds ? "verdict holds" : "verdict fails")))
+        {
+            html.Put("strong", proof.Holds ? "✓ The proof holds." : "✗ The proof does not hold. Do not use this program.");
+            html.Text(
+                proof.Holds
+                    ? " The new program moves as wanted, and nothing else was changed."
+                    : " It does not move as wanted, or something else was changed.");
         }
     }
 }
