@@ -1,5 +1,8 @@
+using System.Diagnostics.CodeAnalysis;
 using System.Text.Json;
+using System.Text.Json.Serialization;
 using ErrorMatching.Json;
+using ErrorMatching.Mating;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Jobs;
@@ -91,4 +94,43 @@ public sealed class DraftFolder(string folder)
 
     // Job names may contain characters that file names must not.
     private static string Name(string job) => ContentHash.Sha256(job)[..16];
+}
+
+/// <summary>Stored unsaved changes of a job.</summary>
+public sealed record StoredDraft
+{
+    /// <summary>The job's name in the cell.</summary>
+    public required string Job { get; init; }
+
+    /// <summary>The user who made them.</summary>
+    public required string By { get; init; }
+
+    /// <summary>Time of the last change.</summary>
+    public required DateTimeOffset At { get; init; }
+
+    /// <summary>SHA-256 of the job's file that they are based on; empty if there was none.</summary>
+    public required string BaseSha256 { get; init; }
+
+    /// <summary>The draft.</summary>
+    public required MatingDraft Draft { get; init; }
+}
+
+/// <summary>The format of stored drafts, made while the program is compiled: kinds are words, and required values must not be
+/// null.</summary>
+[JsonSourceGenerationOptions(
+    UseStringEnumConverter = true, RespectNullableAnnotations = true, Converters = [typeof(DraftJson.KindConverter)])]
+[JsonSerializable(typeof(StoredDraft))]
+[SuppressMessage("ApiDesign", "RS0030", Justification = "The generated code names a type without a culture.")]
+internal sealed partial class DraftJson : JsonSerializerContext
+{
+    internal sealed class KindConverter : JsonConverter<FeatureKind>
+    {
+        public override FeatureKind Read(ref Utf8JsonReader reader, Type typeToConvert, JsonSerializerOptions options) =>
+            reader.TokenType == JsonTokenType.String && FeatureKinds.Find(reader.GetString()!) is { } kind
+                ? kind
+                : throw new JsonException("A feature has no kind that there is.");
+
+        public override void Write(Utf8JsonWriter writer, FeatureKind value, JsonSerializerOptions options) =>
+            writer.WriteStringValue(value.Word);
+    }
 }

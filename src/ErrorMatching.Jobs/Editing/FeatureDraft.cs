@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Text.Json.Serialization;
 using ErrorMatching.Mating;
 
@@ -71,4 +72,27 @@ public sealed record FeatureDraft
     /// <summary>The feature with another text for a key of its kind.</summary>
     public FeatureDraft WithKey(string name, string text) =>
         this with { Keys = Kind.Keys.ToDictionary(k => k.Name, k => k.Name == name ? text : Keys[k.Name], StringComparer.Ordinal) };
+}
+
+/// <summary>A theoretical key point, as typed.</summary>
+/// <param name="Label">Its label.</param>
+/// <param name="X">Coordinate along the first axis, mm.</param>
+/// <param name="Y">Coordinate along the second axis, mm.</param>
+/// <param name="Z">Coordinate along the third axis, mm; empty for points of a plane.</param>
+public sealed record PointDraft(string Label, string X = "", string Y = "", string Z = "");
+
+/// <summary>Numeric point labels.</summary>
+internal static class PointLabel
+{
+    /// <summary>The label of a number.</summary>
+    public static string Of(int number) => number.ToString(CultureInfo.InvariantCulture);
+
+    /// <summary>The number at the start of a label; 0 if there is none.</summary>
+    public static int NumberOf(string label)
+    {
+        var digits = label.AsSpan(0, label.AsSpan().IndexOfAnyExceptInRange('0', '9') is var end and >= 0 ? end : label.Length);
+        return int.TryParse(digits, NumberStyles.None, CultureInfo.InvariantCulture, out var number) && number < int.MaxValue / 2
+            ? number
+            : 0;
+    }
 }

@@ -196,3 +196,23 @@ public sealed record ComparisonDraft(string Name = "", string Quantity = "angle"
 /// <param name="Upper">Its upper limit, mm.</param>
 /// <param name="Sign"><c>1</c> if a larger dimension lengthens the chain, <c>-1</c> if it shortens it.</param>
 public sealed record ChainLinkDraft(string Name = "", string Nominal = "", string Lower = "", string Upper = "", string Sign = "1");
+
+/// <summary>Copies of immutable lists with one item changed.</summary>
+public static class DraftLists
+{
+    /// <summary>The list with one item replaced.</summary>
+    public static IReadOnlyList<T> Replaced<T>(this IReadOnlyList<T> list, int index, T item)
+    {
+        ArgumentNullException.ThrowIfNull(list);
+        var copy = list.ToArray();
+        copy[index] = item;
+        return copy;
+    }
+
+    /// <summary>The list with one item removed.</summary>
+    public static IReadOnlyList<T> Without<T>(this IReadOnlyList<T> list, int index)
+    {
+        ArgumentNullException.ThrowIfNull(list);
+        return [.. list.Take(index), .. list.Skip(index + 1)];
+    }
+}

@@ -1,3 +1,4 @@
+using System.Globalization;
 using ErrorMatching.Geometry;
 using ErrorMatching.Mating;
 using ErrorMatching.Nc;
@@ -182,4 +183,76 @@ public static class MatingDraftCheck
         draft.Features.ToList().FindIndex(f => f.Name.Trim() == refusal.Place.Feature);
 
     private static DraftProblem At(string field, Refusal item) => new(field, item.Code, "", item.Message);
+}
+
+/// <summary>The result of checking a draft.</summary>
+/// <param name="Problems">All problems, in the order of the job; empty if it can be saved.</param>
+/// <param name="Job">The job; null while its file has problems.</param>
+public sealed record DraftCheck(IReadOnlyList<DraftProblem> Problems, MatingJob? Job)
+{
+    /// <summary>Valid but probably unintended input: questions that do not prevent saving.</summary>
+    public IReadOnlyList<DraftProblem> Doubts { get; init; } = [];
+}
+
+/// <summary>A problem in a draft, and its field.</summary>
+/// <param name="Field">The field: a path of <see cref="DraftPaths"/> or of the job.</param>
+/// <param name="Code">Stable code of the reader that reports it.</param>
+/// <param name="Found">What was found, as the middle of a sentence; empty if <paramref name="Message"/> is complete.</param>
+/// <param name="Message">What was found and what is expected, as a sentence.</param>
+/// <param name="Expected">What is expected instead, as the middle of a sentence; empty if <paramref name="Message"/> is complete.</param>
+public sealed record DraftProblem(string Field, string Code, string Found, string Message, string Expected = "")
+{
+    /// <summary>True if the field is not wrong, but not filled in yet.</summary>
+    public bool IsMissing { get; init; }
+
+    /// <summary>The size of the error, with its unit; empty if it is not measured.</summary>
+    public string Amount { get; init; } = "";
+}
+
+/// <summary>Reports lower limits that exceed their upper limits, at the lower one. The job's reader reports this only once everything
+/// else can be read, and for both limits together.</summary>
+internal static class DraftLimits
+{
+    /// <summary>The code that the job's reader uses.</summary>
+    public const string ReversedTolerance = "reversed-tolerance";
+
+    /// <summary>The reversed limits of features and of the tolerance chain.</summary>
+    /// <param name="draft">The draft.</param>
+    public static IEnumerable<DraftProblem> Reversed(MatingDraft draft)
+    {
+        var features = draft.Features.Select(
+            (f, i) => (Field: DraftPaths.Feature(i, "toleranceMm[0]"), f.Lower, f.Upper, IsUsed: f.Tolerance == FeatureDraft.Stated));
+        var chain = draft.Chain.Select(
+            (l, i) => (
+                Field: string.Create(CultureInfo.InvariantCulture, $"$.toleranceChain[{i}].toleranceMm[0]"),
+                l.Lower,
+                l.Upper,
+                IsUsed: true));
+        return features.Concat(chain).Where(b => b.IsUsed && DraftNumber.Value(b.Lower) > DraftNumber.Value(b.Upper))
+            .Select(b => new DraftProblem(
+                b.Field,
+                ReversedTolerance,
+                $"the limits {b.Lower} and {b.Upper}",
+                $"found the limits {b.Lower} and {b.Upper}; expected the lower limit first",
+                "the lower limit first"));
+    }
+}
+
+/// <summary>Distinguishes fields that are not filled in yet from wrong ones.</summary>
+internal static class DraftMissing
+{
+    // How the job's reader reports an empty field.
+    private const string NoText = "the text \"\"";
+
+    private static readonly string[] Codes = ["too-short", "empty-cell", "too-few-items", "stylus-diameter-missing", "measured-missing"];
+
+    /// <summary>The problem, marked if the field is only not filled in yet.</summary>
+    /// <param name="draft">The draft.</param>
+    /// <param name="problem">The problem.</param>
+    public static DraftProblem Marked(MatingDraft draft, DraftProblem problem) => problem with
+    {
+        IsMissing = problem.Found == NoText
+            || Codes.Contains(problem.Code)
+            || (problem.Field == MatingDraftCheck.Program && string.IsNullOrWhiteSpace(draft.Counterpart.Program)),
+    };
 }

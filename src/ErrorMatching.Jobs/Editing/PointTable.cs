@@ -145,3 +145,49 @@ public sealed partial class PointTable
     [GeneratedRegex(@"^[-+\u2212]?[0-9]*,[0-9]+$", RegexOptions.CultureInvariant, Timeout.Infinite)]
     private static partial Regex DecimalComma();
 }
+
+/// <summary>A line of a <see cref="PointTable"/> that should contain coordinates and does not.</summary>
+/// <param name="Line">Its number, from 1.</param>
+/// <param name="Text">Its text.</param>
+public sealed record PointTableFault(int Line, string Text);
+
+/// <summary>The result of putting a <see cref="PointTable"/> into a draft.</summary>
+/// <param name="Draft">The draft with the coordinates; unchanged if refused.</param>
+/// <param name="Refusal">Why nothing was taken, if refused.</param>
+public sealed record TakenTable(MatingDraft Draft, PointTableRefusal Refusal = PointTableRefusal.None)
+{
+    /// <summary>True if points took their labels from the table, in its order.</summary>
+    public bool HasNewLabels { get; init; }
+
+    /// <summary>The table's labels without a point, in its order; the duplicate labels for
+    /// <see cref="PointTableRefusal.LabelTwice"/>.</summary>
+    public IReadOnlyList<string> OnlyInTable { get; init; } = [];
+
+    /// <summary>Labels of the features' points that are not in the table, in their order.</summary>
+    public IReadOnlyList<string> OnlyInFeatures { get; init; } = [];
+
+    /// <summary>Number of rows left for the points, if the numbers differ.</summary>
+    public int Rows { get; init; }
+
+    /// <summary>Number of those points.</summary>
+    public int Points { get; init; }
+}
+
+/// <summary>Why nothing from a <see cref="PointTable"/> was put into a draft.</summary>
+public enum PointTableRefusal
+{
+    /// <summary>Not refused; the coordinates were taken.</summary>
+    None,
+
+    /// <summary>The features have no points yet to take coordinates.</summary>
+    NoFeatures,
+
+    /// <summary>The table has a duplicate label.</summary>
+    LabelTwice,
+
+    /// <summary>The number of points waiting for labels and the number of unused rows differ, so rows cannot be assigned.</summary>
+    OtherCount,
+
+    /// <summary>The number of rows without labels differs from the number of points.</summary>
+    NoLabels,
+}

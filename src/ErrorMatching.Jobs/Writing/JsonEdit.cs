@@ -1,6 +1,9 @@
 using System.Text;
 using System.Text.Encodings.Web;
 using System.Text.Json;
+using ErrorMatching.Json;
+using ErrorMatching.Mating;
+using ErrorMatching.Nc;
 
 namespace ErrorMatching.Jobs;
 
@@ -30,4 +33,31 @@ internal sealed record JsonEdit(Range At, string With)
 
     /// <summary>A list of texts as JSON.</summary>
     public static string List(IEnumerable<string> texts) => "[" + string.Join(", ", texts.Select(Text)) + "]";
+}
+
+/// <summary>The relative paths of a mating job that is written in another folder.</summary>
+internal static class MovedPaths
+{
+    /// <summary>Edits after which a job's relative paths lead from its new place to the same files.</summary>
+    /// <param name="job">The job.</param>
+    /// <param name="root">Its document.</param>
+    /// <param name="target">Where it will be written.</param>
+    public static IEnumerable<JsonEdit> Of(MatingJob job, JsonItem root, string target)
+    {
+        var from = Path.GetDirectoryName(Path.GetFullPath(target))!;
+        if (from == Path.GetDirectoryName(Path.GetFullPath(job.File)))
+        {
+            return [];
+        }
+
+        var (part, counterpart) = (root["part"], root["counterpart"]);
+        return new[]
+        {
+            part["theoretical"], part["measured"], counterpart["program"], counterpart.Find("measured"),
+            NcDialects.IsFile(job.Counterpart.Dialect) ? counterpart["dialect"] : null,
+        }.OfType<JsonItem>().Concat(counterpart.Find("libraries")?.Items ?? [])
+            .Where(p => !Path.IsPathRooted(p.Text))
+            .Select(p => new JsonEdit(
+                p.Bytes, JsonEdit.Text(Path.GetRelativePath(from, Path.GetFullPath(job.PathOf(p.Text))).Replace('\\', '/'))));
+    }
 }
