@@ -27,12 +27,12 @@ internal static class LeftStructure
             return false;
         }
 
-        if (Array.TrueForAll(StructureTests.Of(few, FewPermutations), t => t.P > Unlikely))
+        if (Array.TrueForAll(PermutationTest.Run(few, FewPermutations), t => t.P > Unlikely))
         {
             return false;
         }
 
-        var tests = StructureTests.Of(few, Permutations);
+        var tests = PermutationTest.Run(few, Permutations);
         return Array.Exists(tests, t => t.P <= Level)
             && !Array.Exists(tests, t => t is { Kind: StructureKind.Neighbors, IsOpposite: true, P: <= SpatialStructure.Level });
     }

@@ -83,7 +83,7 @@ public sealed record SpatialStructure(double I, double Expectation, double Varia
 
         var (mmU, mmV) = (LengthMm(samples, s => s.J, s => s.U), LengthMm(samples, s => s.I, s => s.V));
         StructureTest[] tests = [
-            .. StructureTests.Of(data, samples.Count > Many ? FewPermutations : Permutations)
+            .. PermutationTest.Run(data, samples.Count > Many ? FewPermutations : Permutations)
                 .Select(t => t with { WaveMm = (mmU / t.Waves.U, mmV / t.Waves.V) })];
         return moran with
         {

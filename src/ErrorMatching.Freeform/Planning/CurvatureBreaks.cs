@@ -65,18 +65,18 @@ internal static class CurvatureBreaks
         var common = new List<double>();
         for (var i = 0; i < all.Count;)
         {
-            var behind = i;
-            while (behind < all.Count && all[behind] - all[i] <= near)
+            var end = i;
+            while (end < all.Count && all[end] - all[i] <= near)
             {
-                behind++;
+                end++;
             }
 
-            if (2 * (behind - i) >= Lines)
+            if (2 * (end - i) >= Lines)
             {
-                common.Add(all[(i + behind - 1) / 2]);
+                common.Add(all[(i + end - 1) / 2]);
             }
 
-            i = behind;
+            i = end;
         }
 
         return common;

@@ -134,7 +134,7 @@ internal static class DegreeChoice
         (double[] Places, double[] Values, double[] Counts) points, double[] places, double uncertainty)
     {
         var pairs = new List<(SmoothProcess Process, double Evidence)>();
-        // In standard deviations of the prior. The ratio is tried beyond what the prior makes probable, because points can insist.
+        // In standard deviations of the prior. The ratio is tried beyond what the prior makes probable: many points outweigh the prior.
         for (var ofLength = -2.5; ofLength <= 2.5; ofLength += 0.5)
         {
             for (var ofRatio = -6.0; ofRatio <= 6; ofRatio++)

@@ -184,7 +184,7 @@ internal sealed class JointDeviation
     }
 }
 
-/// <summary>What is not known about some places of the boundary together: a few columns, each of which one random number scales.</summary>
+/// <summary>The joint uncertainty of some places of the boundary: a few columns, each scaled by one random number.</summary>
 /// <param name="First">The first of the places.</param>
 /// <param name="Columns">The columns, each with a number for each place, mm.</param>
 internal sealed record JointFactor(int First, IReadOnlyList<double[]> Columns)

@@ -2,7 +2,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>How large the largest of many errors may be, each of which is known with an uncertainty that it shares with others.</summary>
+/// <summary>A bound of the largest of many errors whose uncertainties depend on each other.</summary>
 internal static class LargestError
 {
     // The same numbers for the same input, on every system.
@@ -47,14 +47,14 @@ internal static class LargestError
     }
 }
 
-/// <summary>The scale of what is not known about errors, where only the points themselves tell it: it is not known better than they tell
-/// it, so the errors follow Student's distribution.</summary>
+/// <summary>The scale of the errors' uncertainty if only the points themselves show it. It is no better known than they show it, so the
+/// errors follow Student's distribution.</summary>
 /// <param name="Freedom">Number of independent values that tell it, 1 or more.</param>
 /// <param name="Of">The factor of a column, by its number, where the true standard deviation is so many times the one that they
 /// show.</param>
 internal sealed record ColumnScale(int Freedom, Func<int, double, double> Of)
 {
-    /// <summary>Columns that all have the scale of so many points, one of which tells the mean.</summary>
+    /// <summary>Columns that all have the scale of some points, less one point for the mean.</summary>
     public static ColumnScale ToldBy(int points) => new(Math.Max(1, points - 1), (_, ratio) => ratio);
 
     /// <summary>Draws how many times the true standard deviation is the one that the values show.</summary>

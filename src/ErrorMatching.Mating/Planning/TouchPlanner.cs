@@ -286,10 +286,10 @@ public static class TouchPlanner
     {
         private readonly Dictionary<string, PlanPrediction> _told = new(StringComparer.Ordinal);
 
-        // The features of which more points tell no more.
+        // Features about which more points tell nothing new.
         private readonly HashSet<int> _settled = [];
 
-        // The elements of which more was told by one more point, in the order in which they got it.
+        // Elements about which one more point told something, in the order in which they got it.
         private readonly List<int> _added = [];
 
         private int[] _counts = [.. elements.Select(e => e.Least)];
@@ -325,7 +325,7 @@ public static class TouchPlanner
 
         private TouchPlan Told(int[] counts) => Of(counts) with { Prediction = Predict(counts, PlanPrediction.Draws) };
 
-        // The feature of which least is known, if that is not enough; by all parts if a few say that all is known.
+        // The feature that is known least, if not well enough. If a few parts say that all is known, all parts decide.
         private (int Feature, PlannedBound Bound)? Least()
         {
             foreach (var parts in new[] { PartsToChoose, PlanPrediction.Draws })
@@ -520,7 +520,7 @@ public static class TouchPlanner
         public bool IsBeside(int feature, Point2? place) =>
             Index == feature || (place is { } at && Reached.Exists(d => d.Place.DistanceTo(at) < BesideMm + CornerMm));
 
-        // A number of places, each of which narrows most what those before it leave open.
+        // The places of some points. Each place narrows the most of what the earlier ones leave open.
         public Place[] Chosen(int count)
         {
             if (Stretch is null)

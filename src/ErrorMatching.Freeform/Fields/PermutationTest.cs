@@ -6,7 +6,7 @@ namespace ErrorMatching.Freeform;
 /// alone; the rank of the smallest of these probabilities among those of the permutations is the probability with all tests taken
 /// together (P. H. Westfall and S. S. Young, Resampling-Based Multiple Testing, 1993, section 2.3: single-step minP). The error rate is
 /// therefore that of the level, whatever the distribution of the noise and however much the tests depend on each other.</remarks>
-internal sealed class StructureTests
+internal sealed class PermutationTest
 {
     /// <summary>Number of lines in one direction that suffice to see a structure. More would take time and change nothing.</summary>
     private const int EnoughLines = 30;
@@ -19,7 +19,7 @@ internal sealed class StructureTests
     private readonly double[][] _quadratic;
     private readonly WaveBasis _waves;
 
-    private StructureTests(FieldData data)
+    private PermutationTest(FieldData data)
     {
         var mean = data.Z.Average();
         var length = Math.Sqrt(data.Z.Sum(x => (x - mean) * (x - mean)));
@@ -34,15 +34,15 @@ internal sealed class StructureTests
     /// <summary>Tests values, one result for each kind of structure.</summary>
     /// <param name="data">The values; not all equal.</param>
     /// <param name="permutations">Number of permutations.</param>
-    public static StructureTest[] Of(FieldData data, int permutations)
+    public static StructureTest[] Run(FieldData data, int permutations)
     {
         var few = data.Thinned(EnoughLines);
         // The order of the values must not change the permutations of the places.
         int[] order = [.. Enumerable.Range(0, few.Count).OrderBy(k => few.J[k]).ThenBy(k => few.I[k]).ThenBy(k => k)];
-        return new StructureTests(few.Only(order)).Run(permutations);
+        return new PermutationTest(few.Only(order)).Permute(permutations);
     }
 
-    private StructureTest[] Run(int count)
+    private StructureTest[] Permute(int count)
     {
         // One row for each test; column 0 is of the values as they are.
         var statistics = Array.ConvertAll(new double[4][], _ => new double[count + 1]);

@@ -2,10 +2,10 @@ using System.Globalization;
 
 namespace ErrorMatching.Freeform.Tests;
 
-/// <summary>Whether several tests of structure, with one error rate, see what they are for.</summary>
+/// <summary>Whether the permutation test, with one error rate for several statistics, finds what it looks for.</summary>
 /// <remarks>The suite tries a few pieces. With <c>REFEREE_SEEDS=400</c> the rates are those of
 /// docs/decisions/0011-several-tests-and-kernels.md.</remarks>
-public sealed class StructureTestsTests(ITestOutputHelper output)
+public sealed class PermutationTestTests(ITestOutputHelper output)
 {
     private static readonly int Seeds = int.Parse(
         Environment.GetEnvironmentVariable("REFEREE_SEEDS") ?? "20", CultureInfo.InvariantCulture);
