@@ -80,7 +80,7 @@ internal static class CommandTree
         "match" => new MatchVerb(),
         "verify" => new VerifyVerb(),
         "job" => Group(word, "Writes and checks jobs, finds their blocks, and plans where to touch.", second,
-            ("check", () => new JobCheck()), ("blocks", () => new JobBlocks()), ("new", () => new JobNew()),
+            ("check", () => new JobCheckVerb()), ("blocks", () => new JobBlocks()), ("new", () => new JobNew()),
             ("plan", () => new JobPlan()), ("probe", () => new JobProbe()), ("schema", () => new JobSchema())),
         "nc" => Group(word, "Looks at NC programs, displaces blocks, compares and proves programs.", second,
             ("check", () => new NcCheck()), ("motion", () => new NcMotionVerb()), ("locate", () => new NcLocate()),

@@ -10,7 +10,7 @@ internal static class FewPoints
     public const int Enough = 30;
 
     /// <summary>With fewer points, none can contradict the others.</summary>
-    public const int LeastToContradict = LeaveOneOut.LeastValues;
+    public const int LeastToContradict = LeftOutValues.LeastValues;
 
     /// <summary>With fewer points for each wave, another wave may look the same at the points.</summary>
     public const double LeastPerWave = 3;
@@ -71,7 +71,7 @@ internal static class FewPoints
     private static (int Point, double Said, double Sigmas, bool IsOutlying)[] Judge(FieldData data, int[] points, double uncertainty)
     {
         var values = data.Only(points);
-        return [.. LeaveOneOut.Of(values, uncertainty).Select((expected, k) =>
+        return [.. LeftOutValues.Expect(values, uncertainty).Select((expected, k) =>
         {
             var others = values.Z.Where((_, o) => o != k).ToArray();
             var (off, level) = (Math.Abs(values.Z[k] - expected.Mean), others.Average());

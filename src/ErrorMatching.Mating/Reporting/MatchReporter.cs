@@ -220,7 +220,7 @@ public static class MatchReporter
         ContentHash.Sha256(result.Program.Span),
         result.Rewrite?.ChangedBlocks.Count ?? 0,
         result.Rewrite?.ChangedWords ?? 0,
-        result.Rewrite is { } rewrite ? BlockComparison.Of(result.Before.Program, rewrite) : []);
+        result.Rewrite is { } rewrite ? BlockDifference.Of(result.Before.Program, rewrite) : []);
 
     private static ReportProof Proof(NcProof proof) => new(
         proof.Holds,

@@ -8,7 +8,7 @@ internal sealed class SurfaceVerb : Command
     public SurfaceVerb()
         : base("surface", "Plans, measures, compensates and evaluates free-form surfaces.")
     {
-        Subcommands.Add(new SurfacePlan());
+        Subcommands.Add(new SurfacePlanVerb());
         Subcommands.Add(new SurfaceProbe());
         Subcommands.Add(new SurfaceCompensate());
         Subcommands.Add(new SurfaceToolpath());

@@ -95,7 +95,7 @@ public static class ProgramDifferenceHtml
 
     private static void WriteBlocks(HtmlText html, MotionComparison comparison)
     {
-        var blocks = ProgramRows.Of(comparison);
+        var blocks = DifferenceRows.Of(comparison);
         if (blocks.Count == 0)
         {
             html.Put("p", "No word differs.");

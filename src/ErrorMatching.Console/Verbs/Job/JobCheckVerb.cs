@@ -6,11 +6,11 @@ using ErrorMatching.Refusals;
 namespace ErrorMatching.Console;
 
 /// <summary><c>errormatch job check</c>.</summary>
-internal sealed class JobCheck : Verb
+internal sealed class JobCheckVerb : Verb
 {
     private readonly Argument<string> _job = new("JOB") { Description = "The job." };
 
-    public JobCheck()
+    public JobCheckVerb()
         : base(
             "check",
             "Says everything that is wrong in a job, or what it asks for.",

@@ -5,12 +5,12 @@ using ErrorMatching.Jobs;
 namespace ErrorMatching.Console;
 
 /// <summary><c>errormatch surface plan</c>.</summary>
-internal sealed class SurfacePlan : Verb
+internal sealed class SurfacePlanVerb : Verb
 {
     private readonly Argument<string> _job = new("JOB") { Description = "The job." };
     private readonly Option<string> _out = SurfaceOptions.Out("The folder to write plan.csv to. Without it nothing is written.");
 
-    public SurfacePlan()
+    public SurfacePlanVerb()
         : base(
             "plan",
             "Decides where the surface is touched and in which order.",

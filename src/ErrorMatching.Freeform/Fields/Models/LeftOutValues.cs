@@ -10,7 +10,7 @@ namespace ErrorMatching.Freeform;
 /// not below the stated uncertainty. With Q the inverse covariance without the part along the level, a value differs from what the others
 /// say by [Q z]_i / Q_ii; z'Q z becomes smaller by [Q z]_i^2 / Q_ii without it, and the logarithm of the determinant larger by that of
 /// Q_ii (section 5.4.2), so that no kernel has to be factored again for each value.</remarks>
-internal static class LeaveOneOut
+internal static class LeftOutValues
 {
     /// <summary>The fewest values of which each is expected from the others.</summary>
     public const int LeastValues = 6;
@@ -23,7 +23,7 @@ internal static class LeaveOneOut
     /// of noise.</summary>
     /// <param name="data">The values, at least <see cref="LeastValues"/>.</param>
     /// <param name="uncertainty">Stated standard uncertainty of one value, above zero.</param>
-    public static (double Mean, double StandardDeviation)[] Of(FieldData data, double uncertainty)
+    public static (double Mean, double StandardDeviation)[] Expect(FieldData data, double uncertainty)
     {
         var n = data.Count;
         var found = (from u in Lengths from v in Lengths from noise in Noises select Under(data, new(u, v, noise), uncertainty)).ToArray();
