@@ -6,7 +6,7 @@ using ErrorMatching.Refusals;
 try
 {
     var files = new JobFiles(args[0]);
-    var outcome = MatingRun.Of(files);
+    var outcome = MatingRun.Run(files);
     if (outcome.Result is not { } matched)
     {
         // The inputs can be read, but no program can be made from them.

@@ -14,7 +14,7 @@ internal static class TwoThreads
     /// <param name="work">Processes the parts from its first argument up to, not including, its second; must not change state that the
     /// other half sees.</param>
     /// <returns>The results of both halves, the same as if run one after the other.</returns>
-    public static (T First, T Second) Of<T>(int from, int end, Func<int, int, T> work)
+    public static (T First, T Second) Run<T>(int from, int end, Func<int, int, T> work)
     {
         var half = from + ((end - from) / 2);
         var second = Task.Run(() => work(half, end));
@@ -30,7 +30,7 @@ internal static class TwoThreads
             return work(from, end);
         }
 
-        var (first, second) = Of(from, end, work);
+        var (first, second) = Run(from, end, work);
         return first ?? second;
     }
 }

@@ -18,7 +18,7 @@ public sealed class DemonstrationTests
         bool Leads(int serial)
         {
             var measured = Encoding.UTF8.GetBytes(DemoPart.Near(part, serial, DemoDay.SpreadMm));
-            return MatingRun.Of(
+            return MatingRun.Run(
                 new(job), new() { Part = new("part.csv", measured) }, TestContext.Current.CancellationToken).Result?.Report.Proof.Holds
                 ?? false;
         }

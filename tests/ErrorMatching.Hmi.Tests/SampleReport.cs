@@ -18,7 +18,7 @@ internal static class SampleReport
 
         var job = folder["job.json"];
         File.WriteAllText(job, (change ?? (j => j))(File.ReadAllText(job)));
-        return StoredReport.Read(MatingRun.Of(new(job), new(), CancellationToken.None).Result!.ReportJson()).Match!;
+        return StoredReport.Read(MatingRun.Run(new(job), new(), CancellationToken.None).Result!.ReportJson()).Match!;
     }
 
     /// <summary>The same with other errors left at some points.</summary>

@@ -145,7 +145,7 @@ public sealed class StoryTests
 
     private static void MustBeTheConsoles(JsonNode actual)
     {
-        var console = MatingRun.Of(
+        var console = MatingRun.Run(
             new(Path.Combine(Sample, "job.json")),
             new() { Program = new(Path.Combine(Sample, "counterpart.nc")) },
             TestContext.Current.CancellationToken).Result!;

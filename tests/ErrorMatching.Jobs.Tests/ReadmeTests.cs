@@ -17,7 +17,7 @@ public sealed class ReadmeTests
 #pragma warning disable xUnit1051
         // example
         var files = new JobFiles(job); // the path of a mating job
-        var outcome = MatingRun.Of(files, new() { Part = new("part-4711.csv", bytes) });
+        var outcome = MatingRun.Run(files, new() { Part = new("part-4711.csv", bytes) });
         foreach (var refusal in outcome.Refusals)
         {
             Console.WriteLine($"{refusal.Code}: {refusal.Message}"); // why there is no program

@@ -124,7 +124,7 @@ internal sealed class MatingCorrection
     private Computation Match(CancellationToken cancellation)
     {
         var measured = new GivenFile(_request.Measurement.Name, _request.Measurement.Bytes);
-        var outcome = MatingRun.Of(
+        var outcome = MatingRun.Run(
             _files,
             new()
             {

@@ -63,7 +63,7 @@ public sealed class JobEdits(CellSettings settings, CellStore store, UserBook us
     public DraftCheck Check(CellJobSettings job, MatingDraft draft)
     {
         ArgumentNullException.ThrowIfNull(job);
-        var check = MatingDraftCheck.Of(draft, job.File);
+        var check = MatingDraftCheck.Run(draft, job.File);
         return check.Job is { } edited ? check with { Problems = [.. check.Problems, .. Contradictions(job, edited)] } : check;
     }
 

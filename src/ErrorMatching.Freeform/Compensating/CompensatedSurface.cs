@@ -56,7 +56,7 @@ internal sealed record CompensatedSurface(
                 + $"measure up to the edges."));
     }
 
-    public static CompensatedSurface Of(PartSurface nominal, FreeformJob job, IReadOnlyList<ErrorSample> samples, ErrorField field)
+    public static CompensatedSurface Fit(PartSurface nominal, FreeformJob job, IReadOnlyList<ErrorSample> samples, ErrorField field)
     {
         var gain = job.Compensation.Gain;
         if (IsThroughPoints(job, field))
@@ -76,7 +76,7 @@ internal sealed record CompensatedSurface(
         }
 
         var (breaksU, breaksV) = field is FittedField fitted ? (fitted.BreaksU, fitted.BreaksV) : ([], []);
-        var approximation = SplineApproximation.Of(
+        var approximation = SplineApproximation.Fit(
             (u, v) =>
             {
                 var at = nominal.Spline.At(u, v);

@@ -30,7 +30,7 @@ public static class Compensator
         var all = new List<PieceErrors>();
         foreach (var measurements in input.Earlier.Append(input.Measured))
         {
-            var piece = PieceErrors.Of(measurements, job, nominal, notes, warnings);
+            var piece = PieceErrors.Find(measurements, job, nominal, notes, warnings);
             if (!piece.IsUsable)
             {
                 return piece.Refusal;
@@ -51,7 +51,7 @@ public static class Compensator
         var measured = samples;
         var before = DeviationStatistics.Of([.. samples.Select(s => s.ErrorMm)]);
         var uncertainty = job.Measuring.UncertaintyMm / Math.Sqrt(input.Measured.Count);
-        var motion = alignment is null ? SurfaceMotion.Of(measured, uncertainty, job.CommonMotionMm) : null;
+        var motion = alignment is null ? SurfaceMotion.Find(measured, uncertainty, job.CommonMotionMm) : null;
         if (motion is { AsksForOrigin: true })
         {
             warnings.Add(ReportWarning.Of(SurfaceWarningForms.CheckOrigin, motion.Values));
@@ -78,7 +78,7 @@ public static class Compensator
         }
 
         var statistics = lot is null ? before : DeviationStatistics.Of([.. samples.Select(s => s.ErrorMm)]);
-        var structure = SpatialStructure.Of(samples, uncertainty);
+        var structure = SpatialStructure.Test(samples, uncertainty);
         var systematic = Systematic(job, samples, statistics, structure, uncertainty, warnings);
         // If only noise was found, the significance of the mean has already been decided.
         var mean = systematic as ConstantField
@@ -89,7 +89,7 @@ public static class Compensator
             return lost;
         }
 
-        var surface = CompensatedSurface.Of(nominal, job, samples, compensated);
+        var surface = CompensatedSurface.Fit(nominal, job, samples, compensated);
         if (surface.LargestMoveMm > job.Compensation.LimitMm)
         {
             return new Refusal("beyond-limit", string.Create(
@@ -241,7 +241,7 @@ public static class Compensator
                     ReportWarning.Of(SurfaceWarningForms.StructureUnknown, samples.Count.ToString(CultureInfo.InvariantCulture)));
             }
 
-            var field = ErrorFit.Of(job, samples, uncertaintyMm);
+            var field = ErrorFit.Fit(job, samples, uncertaintyMm);
             if (field is FittedField { Kind: FieldModelKind.Interpolant })
             {
                 warnings.Add(

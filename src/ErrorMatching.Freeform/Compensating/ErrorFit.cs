@@ -7,7 +7,7 @@ internal static class ErrorFit
     /// <param name="job">The job.</param>
     /// <param name="samples">The errors.</param>
     /// <param name="uncertaintyMm">Standard uncertainty of one of them.</param>
-    public static ErrorField Of(FreeformJob job, IReadOnlyList<ErrorSample> samples, double uncertaintyMm)
+    public static ErrorField Fit(FreeformJob job, IReadOnlyList<ErrorSample> samples, double uncertaintyMm)
     {
         var best = FieldFit.Fit(samples, uncertaintyMm);
         if (job.Fit.Method == FitMethod.Best || !job.Fit.OfError)

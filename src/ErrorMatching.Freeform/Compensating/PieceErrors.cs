@@ -17,7 +17,7 @@ internal sealed record PieceErrors(string Sha256, SurfaceAlignment? Alignment, I
     /// <param name="notes">Gets notes.</param>
     /// <param name="warnings">Gets warnings.</param>
     /// <exception cref="InputException">A point has no foot, or there are too few for the alignment.</exception>
-    public static Outcome<PieceErrors> Of(
+    public static Outcome<PieceErrors> Find(
         IReadOnlyList<MeasuredPoints> measured, FreeformJob job, PartSurface nominal, List<string> notes, List<ReportWarning> warnings)
     {
         if (WithoutUnknown(measured, job) is { } unknown)
@@ -32,7 +32,7 @@ internal sealed record PieceErrors(string Sha256, SurfaceAlignment? Alignment, I
             ? SurfaceAlignment.BestFit(
                 nominal, [.. measured.SelectMany(m => m.Points).Select(p => (p.Planned, p.Contact))], stock, measured[0].File)
             : null;
-        var repeats = measured.Select(m => SurfaceErrors.Of(
+        var repeats = measured.Select(m => SurfaceErrors.Find(
             nominal, m.Points.Select(p => (p.Planned, alignment?.Apply(p.Contact) ?? p.Contact)), stock, m.File)).ToArray();
         for (var k = 0; k < repeats.Length; k++)
         {
@@ -119,7 +119,7 @@ internal sealed record PieceErrors(string Sha256, SurfaceAlignment? Alignment, I
         IReadOnlyList<MeasuredPoints> measured,
         double uncertaintyMm)
     {
-        var points = OutlyingPoints.Of(samples, uncertaintyMm / Math.Sqrt(repeats.Length));
+        var points = OutlyingPoints.Find(samples, uncertaintyMm / Math.Sqrt(repeats.Length));
         if (points.Count == 0)
         {
             return null;
@@ -140,7 +140,7 @@ internal sealed record PieceErrors(string Sha256, SurfaceAlignment? Alignment, I
     private static IReadOnlyList<ErrorSample> Average(
         IReadOnlyList<ErrorSample>[] repeats, List<string> notes, List<ReportWarning> warnings)
     {
-        var mean = RepeatedMeasurement.Of(repeats);
+        var mean = RepeatedMeasurement.Estimate(repeats);
         notes.Add(string.Create(
             CultureInfo.InvariantCulture,
             $"Each point was measured {repeats.Length} times; their mean is used. One measurement repeats to "

@@ -46,7 +46,7 @@ internal sealed class SurfaceWalk(PartSurface surface, ErrorField field, double 
     {
         var (u, v) = (surface.Spline.KnotsU, surface.Spline.KnotsV);
         if (_last is { } near
-            && NormalFoot.Of(surface.Spline, center, near.U, near.V) is { } found
+            && NormalFoot.Find(surface.Spline, center, near.U, near.V) is { } found
             && Inside(found.U, u)
             && Inside(found.V, v)
             && (center - found.Position).Length <= 2 * radiusMm && (center - found.Position).Dot(surface.NormalOf(found)) > 0)

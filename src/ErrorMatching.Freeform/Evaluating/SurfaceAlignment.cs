@@ -40,7 +40,7 @@ public sealed record SurfaceAlignment(Vector3 TranslateMm, Vector3 RotateDegrees
     /// <param name="points">Points of the plan with their measured contacts; at least six.</param>
     /// <param name="stockMm">Expected stock on the surface.</param>
     /// <param name="file">Name of the file of measured points, for messages.</param>
-    /// <exception cref="InputException"><c>too-few-points</c>; <c>no-foot</c> as for <see cref="SurfaceErrors.Of"/>.</exception>
+    /// <exception cref="InputException"><c>too-few-points</c>; <c>no-foot</c> as for <see cref="SurfaceErrors.Find"/>.</exception>
     public static SurfaceAlignment BestFit(
         PartSurface surface, IReadOnlyList<(PlanPoint Plan, Point3 Contact)> points, double stockMm, string file)
     {
@@ -55,7 +55,7 @@ public sealed record SurfaceAlignment(Vector3 TranslateMm, Vector3 RotateDegrees
         var alignment = new SurfaceAlignment(default, default, default(Point3) + center);
         for (var round = 0; round < MostRounds; round++)
         {
-            var samples = SurfaceErrors.Of(surface, points.Select(p => (p.Plan, alignment.Apply(p.Contact))), stockMm, file);
+            var samples = SurfaceErrors.Find(surface, points.Select(p => (p.Plan, alignment.Apply(p.Contact))), stockMm, file);
             var step = Step(samples, alignment);
             alignment = alignment with
             {

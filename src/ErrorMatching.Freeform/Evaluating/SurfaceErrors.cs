@@ -14,7 +14,7 @@ internal static class SurfaceErrors
     /// <param name="stockMm">Expected stock on the surface.</param>
     /// <param name="file">Name of the file of measured points, for messages.</param>
     /// <exception cref="InputException"><c>no-foot</c>: a point is too far away for any normal of the surface.</exception>
-    public static IReadOnlyList<ErrorSample> Of(
+    public static IReadOnlyList<ErrorSample> Find(
         PartSurface surface, IEnumerable<(PlanPoint Plan, Point3 Contact)> points, double stockMm, string file)
     {
         ArgumentNullException.ThrowIfNull(surface);
@@ -22,7 +22,7 @@ internal static class SurfaceErrors
         var samples = new List<ErrorSample>();
         foreach (var (plan, contact) in points)
         {
-            if (NormalFoot.Of(surface.Spline, contact, plan.U, plan.V) is not { } foot)
+            if (NormalFoot.Find(surface.Spline, contact, plan.U, plan.V) is not { } foot)
             {
                 throw InputException.At("no-foot", file, string.Create(
                     CultureInfo.InvariantCulture,

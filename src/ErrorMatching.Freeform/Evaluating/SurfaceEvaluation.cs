@@ -18,8 +18,8 @@ public sealed record SurfaceEvaluation(IReadOnlyList<EvaluatedPiece> Pieces, Dev
     /// <param name="surface">The nominal surface.</param>
     /// <param name="pieces">At least one.</param>
     /// <exception cref="InputException">Two pieces are the same measurement (<c>same-measurement</c>); otherwise as for
-    /// <see cref="SurfaceErrors.Of"/> and <see cref="SurfaceAlignment.BestFit"/>.</exception>
-    public static SurfaceEvaluation Of(FreeformJob job, PartSurface surface, IReadOnlyList<MeasuredPoints> pieces)
+    /// <see cref="SurfaceErrors.Find"/> and <see cref="SurfaceAlignment.BestFit"/>.</exception>
+    public static SurfaceEvaluation Evaluate(FreeformJob job, PartSurface surface, IReadOnlyList<MeasuredPoints> pieces)
     {
         ArgumentNullException.ThrowIfNull(job);
         ArgumentNullException.ThrowIfNull(pieces);
@@ -48,7 +48,7 @@ public sealed record SurfaceEvaluation(IReadOnlyList<EvaluatedPiece> Pieces, Dev
 
     private static EvaluatedPiece Evaluate(FreeformJob job, PartSurface surface, MeasuredPoints piece)
     {
-        var distances = SurfaceErrors.Of(surface, Contacts(piece), 0, piece.File);
+        var distances = SurfaceErrors.Find(surface, Contacts(piece), 0, piece.File);
         var stage = MeasuredStage.Of(job, distances.Sum(d => d.ErrorMm) / distances.Count);
         var stock = job.Stock.Of(stage);
         if (!job.Measuring.BestFit)
@@ -62,7 +62,7 @@ public sealed record SurfaceEvaluation(IReadOnlyList<EvaluatedPiece> Pieces, Dev
             stage,
             job,
             alignment,
-            SurfaceErrors.Of(surface, Contacts(piece).Select(p => (p.Plan, alignment.Apply(p.Contact))), stock, piece.File));
+            SurfaceErrors.Find(surface, Contacts(piece).Select(p => (p.Plan, alignment.Apply(p.Contact))), stock, piece.File));
     }
 
     private static EvaluatedPiece Piece(
@@ -86,7 +86,7 @@ public sealed record SurfaceEvaluation(IReadOnlyList<EvaluatedPiece> Pieces, Dev
     private static IEnumerable<ReportWarning> Outlying(
         MeasuredPoints piece, IReadOnlyList<ErrorSample> samples, double uncertaintyMm)
     {
-        var points = OutlyingPoints.Of(samples, uncertaintyMm);
+        var points = OutlyingPoints.Find(samples, uncertaintyMm);
         if (points.Count == 0)
         {
             return [];

@@ -50,7 +50,7 @@ public sealed record SurfaceMotion(
     /// <param name="samples">The errors.</param>
     /// <param name="uncertaintyMm">Standard uncertainty of one of them.</param>
     /// <param name="mostMm">The distance beyond which a motion asks whether the origin is right.</param>
-    internal static SurfaceMotion? Of(IReadOnlyList<ErrorSample> samples, double uncertaintyMm, double mostMm)
+    internal static SurfaceMotion? Find(IReadOnlyList<ErrorSample> samples, double uncertaintyMm, double mostMm)
     {
         var squares = samples.Sum(s => s.ErrorMm * s.ErrorMm);
         if (squares == 0)

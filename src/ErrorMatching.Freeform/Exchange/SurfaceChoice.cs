@@ -16,7 +16,7 @@ internal static class SurfaceChoice
     /// <param name="entity">Name or number; null for the only one.</param>
     /// <param name="read">Reads a surface, to report its extent.</param>
     /// <exception cref="InputException">No surface matches, or several do.</exception>
-    public static int Of(string file, IReadOnlyList<string> names, string? entity, Func<int, ReadSurface> read)
+    public static int Choose(string file, IReadOnlyList<string> names, string? entity, Func<int, ReadSurface> read)
     {
         if (entity is null)
         {

@@ -40,7 +40,7 @@ internal static class OutlyingPoints
     /// <summary>Returns the outlying points in sample order.</summary>
     /// <param name="samples">Errors on the curves of a grid, each point once. Of a few, <see cref="FewPoints"/> judges.</param>
     /// <param name="uncertaintyMm">Standard uncertainty of one of them.</param>
-    public static IReadOnlyList<OutlyingPoint> Of(IReadOnlyList<ErrorSample> samples, double uncertaintyMm)
+    public static IReadOnlyList<OutlyingPoint> Find(IReadOnlyList<ErrorSample> samples, double uncertaintyMm)
     {
         if (samples.Count < FewPoints.Enough)
         {

@@ -26,9 +26,9 @@ internal sealed class PermutationTest
         _values = Array.ConvertAll(data.Z, x => length > 0 ? (x - mean) / length : 0);
         _neighbors = [.. SpatialStructure.Neighbors(data)];
         var (u, v) = (data.U, data.V);
-        _plane = OrthonormalColumns.Of([u, v], []);
-        _quadratic = OrthonormalColumns.Of([Vectors.Products(u, u), Vectors.Products(u, v), Vectors.Products(v, v)], _plane);
-        _waves = WaveBasis.Of(data);
+        _plane = OrthonormalColumns.Build([u, v], []);
+        _quadratic = OrthonormalColumns.Build([Vectors.Products(u, u), Vectors.Products(u, v), Vectors.Products(v, v)], _plane);
+        _waves = WaveBasis.Build(data);
     }
 
     /// <summary>Tests values, one result for each kind of structure.</summary>

@@ -32,7 +32,7 @@ internal sealed class RepeatedMeasurement
     /// <param name="measurements">One list per measurement. Points are identified by their number, and lists may lack points.</param>
     /// <exception cref="InputException"><c>no-samples</c>; <c>doubled-point</c> if a list contains a point twice;
     /// <c>not-finite</c>.</exception>
-    public static RepeatedMeasurement Of(IReadOnlyList<IReadOnlyList<ErrorSample>> measurements)
+    public static RepeatedMeasurement Estimate(IReadOnlyList<IReadOnlyList<ErrorSample>> measurements)
     {
         ArgumentNullException.ThrowIfNull(measurements);
         var first = new Dictionary<int, ErrorSample>();

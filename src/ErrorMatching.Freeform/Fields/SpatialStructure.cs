@@ -40,11 +40,11 @@ public sealed record SpatialStructure(double I, double Expectation, double Varia
     /// <param name="samples">Errors on the curves of a grid. Of fewer than 30, one more test asks whether they scatter more about their
     /// mean than the stated uncertainty explains, and all share the error rate with it (Bonferroni).</param>
     /// <param name="uncertaintyMm">Stated standard uncertainty of one of them; zero if unknown.</param>
-    public static SpatialStructure Of(IReadOnlyList<ErrorSample> samples, double uncertaintyMm = 0)
+    public static SpatialStructure Test(IReadOnlyList<ErrorSample> samples, double uncertaintyMm = 0)
     {
         ArgumentNullException.ThrowIfNull(samples);
         double[] errors = [.. samples.Select(s => s.ErrorMm)];
-        var structure = Of(samples, errors);
+        var structure = Test(samples, errors);
         if (structure.Tests.Count == 0 || samples.Count >= FewPoints.Enough || !(uncertaintyMm > 0))
         {
             return structure;
@@ -65,7 +65,7 @@ public sealed record SpatialStructure(double I, double Expectation, double Varia
     /// <param name="samples">The samples to which the field was fitted.</param>
     /// <param name="values">One value per sample, such as <see cref="FittedField.Residuals"/>, in the same order.</param>
     /// <exception cref="ArgumentException">The counts differ.</exception>
-    public static SpatialStructure Of(IReadOnlyList<ErrorSample> samples, IReadOnlyList<double> values)
+    public static SpatialStructure Test(IReadOnlyList<ErrorSample> samples, IReadOnlyList<double> values)
     {
         ArgumentNullException.ThrowIfNull(samples);
         ArgumentNullException.ThrowIfNull(values);
@@ -75,7 +75,7 @@ public sealed record SpatialStructure(double I, double Expectation, double Varia
         }
 
         var data = FieldData.Of(samples).With([.. values]);
-        var moran = Of(data.Z, Neighbors(data));
+        var moran = Test(data.Z, Neighbors(data));
         if (double.IsNaN(moran.I) || samples.Count < LeastPoints)
         {
             return moran;
@@ -99,7 +99,7 @@ public sealed record SpatialStructure(double I, double Expectation, double Varia
             .Max(l => l.Zip(l.Skip(1), (a, b) => (b.Nominal - a.Nominal).Length).Sum());
 
     /// <summary>Calculates Moran's I for symmetric neighbors of weight 1, without a verdict.</summary>
-    internal static SpatialStructure Of(double[] values, IReadOnlyCollection<(int A, int B)> neighbors)
+    internal static SpatialStructure Test(double[] values, IReadOnlyCollection<(int A, int B)> neighbors)
     {
         double n = values.Length;
         var expectation = -1 / (n - 1);

@@ -9,7 +9,7 @@ public sealed class FitMethod
     private FitMethod(string name, Func<PointGrid, double, FitMethod, FittedSurface> fit) => (Name, Fit) = (name, fit);
 
     /// <summary>The method with the lowest line-out error; finds curvature breaks.</summary>
-    public static FitMethod Best { get; } = new("best", (grid, tolerance, _) => BestFit.Of(grid, tolerance));
+    public static FitMethod Best { get; } = new("best", (grid, tolerance, _) => BestFit.Fit(grid, tolerance));
 
     /// <summary>A Gordon surface through both families of curves.</summary>
     public static FitMethod ThroughCurveMesh { get; } = Laid(

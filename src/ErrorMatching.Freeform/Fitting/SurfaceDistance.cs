@@ -68,7 +68,7 @@ public sealed class SurfaceDistance
     /// nearest place.</summary>
     private SurfacePoint Foot(Point3 point, double u, double v)
     {
-        if (NormalFoot.Of(_surface, point, u, v) is { } foot && IsWithin(_surface.KnotsU, foot.U) && IsWithin(_surface.KnotsV, foot.V))
+        if (NormalFoot.Find(_surface, point, u, v) is { } foot && IsWithin(_surface.KnotsU, foot.U) && IsWithin(_surface.KnotsV, foot.V))
         {
             return foot;
         }

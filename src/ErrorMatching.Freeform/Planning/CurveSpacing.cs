@@ -34,7 +34,7 @@ internal sealed class CurveSpacing
     public double LengthMm { get; private set; }
 
     /// <summary>Returns the mean spacing of curves between two parameters. Only parts in the region count, if any.</summary>
-    public static CurveSpacing Of(IReadOnlyList<IsoCurve> curves, double start, double end)
+    public static CurveSpacing Find(IReadOnlyList<IsoCurve> curves, double start, double end)
     {
         var spacing = new CurveSpacing(start, end);
         foreach (var curve in curves)

@@ -8,7 +8,7 @@ internal static class MeasuringOrder
     /// <summary>Returns indices of the points, in the order of measuring.</summary>
     /// <param name="points">Where each point is approached, seen from above.</param>
     /// <param name="curves">The index of each point's curve. Points are sorted by curve.</param>
-    public static int[] Of(IReadOnlyList<Point2> points, IReadOnlyList<int> curves)
+    public static int[] Find(IReadOnlyList<Point2> points, IReadOnlyList<int> curves)
     {
         var fro = new int[points.Count];
         for (var (start, curve) = (0, 0); start < fro.Length; curve++)

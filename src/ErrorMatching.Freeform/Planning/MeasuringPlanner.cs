@@ -136,7 +136,7 @@ public static class MeasuringPlanner
         }
 
         Point2[] above = [.. points.Select(plan.AboveOf)];
-        var order = MeasuringOrder.Of(above, [.. points.Select(p => p.J)]);
+        var order = MeasuringOrder.Find(above, [.. points.Select(p => p.J)]);
         return plan with { Points = [.. order.Select((index, k) => points[index] with { Number = k + 1 })] };
     }
 }

@@ -28,7 +28,7 @@ internal sealed class PlanLayout
         BreaksU = CurvatureBreaks.Common(surface, alongU: true);
         BreaksV = [.. CurvatureBreaks.Common(surface, alongU: false).Where(b => b > _v.Start && b < _v.End)];
         var knots = surface.Spline.KnotsU;
-        _across = CurveSpacing.Of(
+        _across = CurveSpacing.Find(
             [
                 .. Enumerable.Range(0, Lines).Select(i => new IsoCurve(
                     surface, AlongU: false, knots.Start + ((i + 0.5) / Lines * (knots.End - knots.Start))))],
@@ -62,7 +62,7 @@ internal sealed class PlanLayout
     {
         var lines = Curves(curves);
         var ends = lines.Select(l => EndsOf(l.V)).ToArray();
-        var spacings = lines.Select((l, j) => CurveSpacing.Of([CurveAt(l.V)], ends[j].Start, ends[j].End)).ToArray();
+        var spacings = lines.Select((l, j) => CurveSpacing.Find([CurveAt(l.V)], ends[j].Start, ends[j].End)).ToArray();
         var breaks = lines.Select(
             (l, j) => CurvatureBreaks.On(CurveAt(l.V)).Where(b => b > ends[j].Start && b < ends[j].End).ToArray()).ToArray();
         var needed = breaks.Sum(b => b.Length + 2);
@@ -96,7 +96,7 @@ internal sealed class PlanLayout
 
         var ends = lines.Select(l => EndsOf(l.Fixed)).ToArray();
         var (start, end) = (ends.Max(e => e.Start), ends.Min(e => e.End));
-        return (CurveSpacing.Of(lines, start, end), [.. BreaksU.Where(b => b > start && b < end)]);
+        return (CurveSpacing.Find(lines, start, end), [.. BreaksU.Where(b => b > start && b < end)]);
     }
 
     private PlanCurve Own((double V, PlanReason Reason) line, int each, (double Start, double End) ends) =>
@@ -104,7 +104,7 @@ internal sealed class PlanLayout
             line.V,
             line.Reason,
             Nodes(
-                CurveSpacing.Of([CurveAt(line.V)], ends.Start, ends.End),
+                CurveSpacing.Find([CurveAt(line.V)], ends.Start, ends.End),
                 each,
                 [.. CurvatureBreaks.On(CurveAt(line.V)).Where(b => b > ends.Start && b < ends.End)]));
 

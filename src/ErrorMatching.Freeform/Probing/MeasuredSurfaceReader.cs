@@ -210,7 +210,7 @@ public static class MeasuredSurfaceReader
             return raw.Position;
         }
 
-        var foot = NormalFoot.Of(plan.Surface.Spline, raw.Position, planned.U, planned.V)
+        var foot = NormalFoot.Find(plan.Surface.Spline, raw.Position, planned.U, planned.V)
             ?? throw InputException.At(
                 FarOffPoint,
                 file,

@@ -23,7 +23,7 @@ internal static class OwnGrid
             var point = points[i];
             var radius = point.IsCenter ? plan.StylusRadiusMm : 0;
             var nearest = plan.Points.MinBy(p => (Expected(p, radius) - point.Position).Length)!;
-            if (NormalFoot.Of(plan.Surface.Spline, point.Position, nearest.U, nearest.V) is not { } foot
+            if (NormalFoot.Find(plan.Surface.Spline, point.Position, nearest.U, nearest.V) is not { } foot
                 || Math.Abs((point.Position - foot.Position).Length - radius) >= limitMm)
             {
                 continue;

@@ -12,7 +12,7 @@ internal static class NormalFoot
 
     /// <summary>Returns the foot by Newton's method from a nearby place (The NURBS Book, section 6.1); null if it does not converge. The
     /// surface is continued beyond its ends.</summary>
-    public static SurfacePoint? Of(SplineSurface surface, Point3 point, double u, double v)
+    public static SurfacePoint? Find(SplineSurface surface, Point3 point, double u, double v)
     {
         for (var i = 0; i < Iterations; i++)
         {

@@ -27,7 +27,7 @@ public sealed record SplineApproximation(SplineSurface Surface, double ErrorMm)
     /// <param name="toleranceMm">Largest permitted error, positive.</param>
     /// <exception cref="GeometryException">The tolerance is not positive, a value of the function is not finite, or the multiplicity of an
     /// inner knot exceeds the degree.</exception>
-    public static SplineApproximation Of(Func<double, double, Point3> function, KnotVector u, KnotVector v, double toleranceMm)
+    public static SplineApproximation Fit(Func<double, double, Point3> function, KnotVector u, KnotVector v, double toleranceMm)
     {
         ArgumentNullException.ThrowIfNull(function);
         ArgumentNullException.ThrowIfNull(u);

@@ -19,7 +19,7 @@ public static class BlockRun
     /// nominal points cannot be used, or a key point is not among them. The job's own dialect cannot be used. The dialect or the
     /// program cannot be read.</exception>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
-    public static Outcome<FoundBlocks> Of(string file, CancellationToken cancellation)
+    public static Outcome<FoundBlocks> Find(string file, CancellationToken cancellation)
     {
         var bytes = InputFile.Open(file, p => JsonInput.Load(p));
         var job = MatingJob.ParseWithoutBlocks(bytes, file);
@@ -34,7 +34,7 @@ public static class BlockRun
         }
 
         var sought = job.Features.Select(f => Sought(job, f, theoretical)).ToArray();
-        var proposed = BlockProposal.Of(path, sought, job.Counterpart.ToolDiameterMm, job.Counterpart.MapMm);
+        var proposed = BlockProposal.Propose(path, sought, job.Counterpart.ToolDiameterMm, job.Counterpart.MapMm);
 
         // Blocks that are found now are for the program as it is now.
         var now = job with { Counterpart = job.Counterpart with { ProgramSha256 = null } };
@@ -174,7 +174,7 @@ internal static class BlockProposal
     /// <param name="boundaries">The features' boundaries, in their order.</param>
     /// <param name="toolDiameterMm">Diameter of the tool; null if unknown.</param>
     /// <param name="mapMm">Allowed distance of a key point from where it belongs.</param>
-    public static IReadOnlyList<ProposedBlocks> Of(
+    public static IReadOnlyList<ProposedBlocks> Propose(
         NcPath path, IReadOnlyList<SoughtBoundary> boundaries, double? toolDiameterMm, double mapMm) =>
         [.. BoundarySearch.Find(path, boundaries, toolDiameterMm, mapMm).Select((f, i) => Named(path, i, boundaries[i].Name, f))];
 

@@ -18,7 +18,7 @@ public static class MatingDraftBlocks
         ArgumentNullException.ThrowIfNull(path);
 
         // Search for features with blocks too, so that their blocks are not proposed for others.
-        var places = MatingDraftPlaces.Of(draft).ToLookup(p => p.Feature);
+        var places = MatingDraftPlaces.Find(draft).ToLookup(p => p.Feature);
         var sought = draft.Features.Select(f => new SoughtBoundary(
             f.Name,
             places[f.Name].FirstOrDefault()?.Plane ?? default,
@@ -27,7 +27,7 @@ public static class MatingDraftBlocks
             Kind = f.Kind,
         }).ToArray();
         return [
-            .. BlockProposal.Of(
+            .. BlockProposal.Propose(
                 path,
                 sought,
                 DraftNumber.Value(draft.Counterpart.ToolDiameter),

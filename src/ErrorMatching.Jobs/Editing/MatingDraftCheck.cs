@@ -19,7 +19,7 @@ public static class MatingDraftCheck
     /// <summary>Checks a draft. Slow with a long program, so do not call it on the UI thread.</summary>
     /// <param name="draft">The draft.</param>
     /// <param name="file">The job's file, for relative paths; it need not exist.</param>
-    public static DraftCheck Of(MatingDraft draft, string file)
+    public static DraftCheck Run(MatingDraft draft, string file)
     {
         ArgumentNullException.ThrowIfNull(draft);
         var problems = new List<DraftProblem>();

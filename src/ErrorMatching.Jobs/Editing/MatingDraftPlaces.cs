@@ -14,7 +14,7 @@ public static class MatingDraftPlaces
     /// <summary>The positions of the features' key points, in the order of cutting. A point without coordinates has none, and none has
     /// one while the frame is wrong.</summary>
     /// <param name="draft">The draft; it may have other problems.</param>
-    public static IReadOnlyList<DraftPlace> Of(MatingDraft draft)
+    public static IReadOnlyList<DraftPlace> Find(MatingDraft draft)
     {
         ArgumentNullException.ThrowIfNull(draft);
         var jobs = draft.Features.Select(f => f.Plane)

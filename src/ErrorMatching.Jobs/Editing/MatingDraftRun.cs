@@ -15,12 +15,12 @@ public static class MatingDraftRun
     /// used. A measurement is of the other piece. The job's own dialect cannot be used. The dialect, a selector or the program
     /// cannot be read. The measured points determine no result.</exception>
     /// <exception cref="OperationCanceledException">Cancelled.</exception>
-    public static Outcome<MatchedProgram> Of(MatingDraft draft, string file, MatingRequest request, CancellationToken cancellation)
+    public static Outcome<MatchedProgram> Run(MatingDraft draft, string file, MatingRequest request, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(draft);
         ArgumentNullException.ThrowIfNull(request);
         var job = MatingJob.Parse(MatingDraftFiles.Job(draft), file);
-        return MatingRun.Of(
+        return MatingRun.Run(
             new(job),
             request with
             {

@@ -13,7 +13,7 @@ internal sealed record OutlineChain(IReadOnlyList<DrawnCurve> Curves, bool IsClo
     /// <summary>Joins curves by their ends. Where three or more ends meet, it cannot be told which ones follow one another, and the chains
     /// end there.</summary>
     /// <param name="curves">The curves.</param>
-    public static IReadOnlyList<OutlineChain> Of(IReadOnlyList<DrawnCurve> curves)
+    public static IReadOnlyList<OutlineChain> Join(IReadOnlyList<DrawnCurve> curves)
     {
         var ends = new EndGrid(curves);
         var (used, chains) = (new bool[curves.Count], new List<OutlineChain>());

@@ -130,7 +130,7 @@ public sealed record OutlineJob
     /// <param name="request">The drawing and the program; its layer is not looked at.</param>
     /// <param name="cancellation">Cancels between layers.</param>
     /// <returns>The layers, the longest outline first; a refusal if nothing can be laid on the program at all.</returns>
-    /// <exception cref="InputException">As <see cref="Of"/>.</exception>
+    /// <exception cref="InputException">As <see cref="Make"/>.</exception>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
     public static Outcome<OutlineLayer[]> LayersOf(OutlineRequest request, CancellationToken cancellation)
     {
@@ -156,7 +156,7 @@ public sealed record OutlineJob
     /// <returns>The job; a refusal if the drawing cannot be laid on what the program cuts.</returns>
     /// <exception cref="InputException">A file cannot be opened or read. The layer is not named, or not there.</exception>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
-    public static Outcome<OutlineJob> Of(OutlineRequest request, CancellationToken cancellation)
+    public static Outcome<OutlineJob> Make(OutlineRequest request, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(request);
         var opened = Open(request, cancellation);
@@ -168,7 +168,7 @@ public sealed record OutlineJob
         var layer = LayerOf(drawing, request, cuts);
         var chains = Chains(drawing, layer);
         var elements = chains.SelectMany(c => c).ToArray();
-        if (OutlineLaying.Of(elements, cuts, request.ToolDiameterMm / 2) is not { } laying)
+        if (OutlineLaying.Find(elements, cuts, request.ToolDiameterMm / 2) is not { } laying)
         {
             return NotLaid(request, drawing, layer, cuts);
         }
@@ -255,7 +255,7 @@ public sealed record OutlineJob
         .OrderByDescending(g => g.Sum(c => c.LengthMm)).Select(g => g.Key);
 
     // What the program cuts of a layer; null if it cannot be laid on the program.
-    private static double? ShareOf(OutlineRequest request, Drawing drawing, string layer, CutPath cuts) => OutlineLaying.Of(
+    private static double? ShareOf(OutlineRequest request, Drawing drawing, string layer, CutPath cuts) => OutlineLaying.Find(
         [.. Chains(drawing, layer).SelectMany(c => c)], cuts, request.ToolDiameterMm / 2)?.CoveredShare;
 
     private static IReadOnlyList<Point2>[] Lines(OutlineElement[][] chains, RigidTransform2 frame) => [
@@ -267,7 +267,7 @@ public sealed record OutlineJob
             })])];
 
     private static OutlineElement[][] Chains(Drawing drawing, string layer) =>
-        [.. OutlineChain.Of([.. drawing.Curves.Where(c => c.Layer == layer)]).Select(c => OutlineElement.Of(c).ToArray())];
+        [.. OutlineChain.Join([.. drawing.Curves.Where(c => c.Layer == layer)]).Select(c => OutlineElement.Of(c).ToArray())];
 
     // Which one mates is asked and not guessed, also where only one can be laid on the program: a piece has more than one outline.
     private static string LayerOf(Drawing drawing, OutlineRequest request, CutPath cuts)
@@ -309,7 +309,7 @@ public sealed record OutlineJob
         {
             // In a smaller unit, two outlines may be one.
             OutlineElement[] other = [.. Chains(Drawing.Read(request.Drawing, mm), layer).SelectMany(c => c)];
-            if (other.Length > 0 && OutlineLaying.Of(other, cuts, request.ToolDiameterMm / 2) is { CoveredShare: > LeastOther })
+            if (other.Length > 0 && OutlineLaying.Find(other, cuts, request.ToolDiameterMm / 2) is { CoveredShare: > LeastOther })
             {
                 var said = drawing.Unit.IsStated ? "says that its unit is" : "does not say its unit; it was tried as";
                 return new(
@@ -377,7 +377,7 @@ public sealed record OutlineJob
             {
                 Kind = f.Kind,
             })];
-        var found = BlockProposal.Of(path, sought, diameter, JobCounterpart.DefaultMapMm);
+        var found = BlockProposal.Propose(path, sought, diameter, JobCounterpart.DefaultMapMm);
         var kept = new List<Proposed>();
         for (var f = 0; f < features.Length; f++)
         {

@@ -60,7 +60,7 @@ internal sealed record OutlineLaying(
     /// <param name="radiusMm">Radius of the tool; null to find it.</param>
     /// <returns>The way that covers the most, and of equal ones the one that moves the drawing least: without mirror, then by the least
     /// rotation, then by the least shift. Null if none covers enough of the outline, or of the program's way.</returns>
-    public static OutlineLaying? Of(IReadOnlyList<OutlineElement> elements, CutPath cuts, double? radiusMm)
+    public static OutlineLaying? Find(IReadOnlyList<OutlineElement> elements, CutPath cuts, double? radiusMm)
     {
         var samples = Samples(elements);
         double[] radii = radiusMm is { } given ? [given] : cuts.IsCompensated == true ? [0] : _radii;

@@ -65,7 +65,7 @@ public sealed record PlannedJob
     /// <returns>The plan, or why there is none.</returns>
     /// <exception cref="InputException">A file cannot be opened or used.</exception>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
-    public static Outcome<PlannedJob> Of(
+    public static Outcome<PlannedJob> Make(
         string file, string folder, double? stylusDiameterMm, double? withinMm, CancellationToken cancellation)
     {
         var bytes = InputFile.Open(file, p => JsonInput.Load(p));
@@ -92,7 +92,7 @@ public sealed record PlannedJob
         {
             cancellation.ThrowIfCancellationRequested();
             var nominal = MeasurementReader.Read(TableOf(job, planned, theoretical), PlanFile, MeasurementFormat.Points);
-            return PlanPrediction.Of(
+            return PlanPrediction.Predict(
                 new(MatingJob.Parse(DocumentOf(bytes, job, planned, target), target), nominal, nominal, null, program.File, program.Bytes)
                 {
                     OwnDialect = program.OwnDialect,

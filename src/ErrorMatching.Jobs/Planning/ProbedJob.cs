@@ -74,7 +74,7 @@ public sealed record ProbedJob
     /// <returns>The program, or why there is none.</returns>
     /// <exception cref="InputException">A file cannot be opened or used. No template is there for the dialect.</exception>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
-    public static Outcome<ProbedJob> Of(string file, ProbeWish wish, CancellationToken cancellation)
+    public static Outcome<ProbedJob> Make(string file, ProbeWish wish, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(wish);
         var files = new JobFiles(file);

@@ -20,7 +20,7 @@ public static class MatingRun
     /// no solution.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The gain is out of range.</exception>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
-    public static Outcome<MatchedProgram> Of(JobFiles files, MatingRequest? request = null, CancellationToken cancellation = default)
+    public static Outcome<MatchedProgram> Run(JobFiles files, MatingRequest? request = null, CancellationToken cancellation = default)
     {
         ArgumentNullException.ThrowIfNull(files);
         request ??= new();
@@ -101,7 +101,7 @@ public static class MatingRun
         ThrowIfNotFeedback(job);
         try
         {
-            return (PreviousMatchReport.Of(given, job, theoretical, program), null);
+            return (PreviousMatchReport.Read(given, job, theoretical, program), null);
         }
         catch (InputException e) when (
             request.MayBeginAnew && e.Code is PreviousMatchReport.LotMissing or PreviousMatchReport.OtherPoints)
@@ -134,7 +134,7 @@ public static class MatingRun
                 new() { File = programFile }));
         }
 
-        var latest = PreviousMatchReport.Of(given, job, theoretical, null);
+        var latest = PreviousMatchReport.Read(given, job, theoretical, null);
         return previous is null || latest.Pieces.Pieces.Any(p => p.MeasuredSha256 == previous.Pieces.Pieces[^1].MeasuredSha256)
             ? latest
             : throw new InputException(Refusal.Of(

@@ -24,7 +24,7 @@ internal static class PreviousMatchReport
     /// one.</param>
     /// <exception cref="InputException">It cannot be opened, it is no report of a match with a lot, or it does not belong to these
     /// inputs.</exception>
-    public static PreviousMatch Of(GivenFile given, MatingJob job, MeasurementFile theoretical, NcProgram? program)
+    public static PreviousMatch Read(GivenFile given, MatingJob job, MeasurementFile theoretical, NcProgram? program)
     {
         var bytes = given.Bytes ?? InputFile.Bytes(given.File, PreviousReport.MaxBytes);
         var report = ReportReader.Document(bytes.Span, given.File);

@@ -21,7 +21,7 @@ public sealed record PreviousReport(string File, MeasuredLot Lot)
     /// <param name="given">The report; null for none.</param>
     /// <exception cref="InputException">It cannot be opened, it is no report of a compensation with a lot, or it is of another
     /// surface.</exception>
-    public static PreviousReport? Of(FreeformFiles files, GivenFile? given)
+    public static PreviousReport? Read(FreeformFiles files, GivenFile? given)
     {
         if (given is null)
         {

@@ -167,7 +167,7 @@ public static class SurfaceRun
         var earlier = request.Earlier.Select(f => new[] { files.Measured("earlier", f, plan) }).ToArray();
         var points = request.Measured.Select(f => files.Measured("measured", f, plan)).ToArray();
         cancellation.ThrowIfCancellationRequested();
-        var previous = PreviousReport.Of(files, request.Previous);
+        var previous = PreviousReport.Read(files, request.Previous);
         var piece = new PieceProgram(files, request, syntax, previous);
         if (piece.Refusal(points, [.. earlier.SelectMany(e => e)], made, baseSha256) is { } compensated)
         {

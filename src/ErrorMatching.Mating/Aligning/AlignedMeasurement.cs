@@ -43,7 +43,7 @@ public sealed record AlignedMeasurement(
     /// <param name="piece">The piece that was measured.</param>
     /// <exception cref="InputException">A point is missing, or has no coordinate in its feature's plane.</exception>
     /// <exception cref="GeometryException">The points do not determine the alignment.</exception>
-    internal static AlignedMeasurement Of(
+    internal static AlignedMeasurement Align(
         MatingJob job, IReadOnlyList<FeatureMap> maps, MeasurementFile theoretical, MeasurementFile measured, MeasuredPiece piece)
     {
         measured.Require(job.NeededPoints);

@@ -54,7 +54,7 @@ internal sealed class BoundaryRun
     /// <param name="path">The program.</param>
     /// <param name="elements">Elements of one side and tool, in the order of cutting.</param>
     /// <param name="toolDiameterMm">Diameter of the tool.</param>
-    public static List<BoundaryRun> Of(NcPath path, IReadOnlyList<BoundaryElement> elements, double toolDiameterMm)
+    public static List<BoundaryRun> Find(NcPath path, IReadOnlyList<BoundaryElement> elements, double toolDiameterMm)
     {
         var runs = new List<BoundaryRun>();
         var group = new List<BoundaryElement>();

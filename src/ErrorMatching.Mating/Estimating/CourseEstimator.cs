@@ -60,7 +60,7 @@ internal sealed class CourseEstimator
         foreach (var plane in _features.Keys.Select(e => maps[_features[e]].Feature.Plane).Distinct())
         {
             BoundaryElement[] elements = [.. _features.Keys.Where(e => maps[_features[e]].Feature.Plane == plane)];
-            foreach (var run in BoundaryRun.Of(path, elements, job.Counterpart.ToolDiameterMm))
+            foreach (var run in BoundaryRun.Find(path, elements, job.Counterpart.ToolDiameterMm))
             {
                 _runs.Add(new(run, [.. PointsOf(run)], u));
             }

@@ -196,7 +196,7 @@ internal sealed record JointFactor(int First, IReadOnlyList<double[]> Columns)
     /// deviations at hundreds of places need about as many columns as there are key points.</summary>
     /// <param name="first">The first of the places.</param>
     /// <param name="joint">What is known about them.</param>
-    public static JointFactor Of(int first, JointDeviation joint)
+    public static JointFactor Factor(int first, JointDeviation joint)
     {
         var n = joint.Count;
         double[] left = [.. Enumerable.Range(0, n).Select(k => joint.Covariance(k, k))];

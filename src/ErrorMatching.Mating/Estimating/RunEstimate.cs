@@ -283,7 +283,7 @@ internal sealed class RunEstimate
 
         // Neighboring places deviate alike: of many, some tell how large the largest error may be.
         int[] drawn = [.. Enumerable.Range(0, places.Length).Where(k => k % (1 + (places.Length / MostDrawn)) == 0)];
-        var unknown = JointFactor.Of(
+        var unknown = JointFactor.Factor(
             0, Field!.Together([.. drawn.Select(k => (IReadOnlyList<RowTerm>)[TermOf(places[k].Element, places[k].At, 1)])]));
         return worst.Within(LargestError.BoundMm([.. drawn.Select(k => errors[k].AfterMm)], unknown.Columns, scale, risk));
     }

@@ -62,7 +62,7 @@ internal sealed record WholeShape
     /// <param name="flanks">The straight cuts of the feature.</param>
     /// <param name="uncertaintyMm">Standard uncertainty of a point.</param>
     /// <param name="radius">Distance of the path from the boundary, mm.</param>
-    public static WholeShape Of(
+    public static WholeShape Estimate(
         IReadOnlyList<(Point2 Place, Vector2 Normal, double Mm)> points,
         IReadOnlyList<Segment2> flanks,
         double uncertaintyMm,
@@ -86,7 +86,7 @@ internal sealed record WholeShape
     public static WholeShape Around(RunEstimate run, NcPath path, FeaturePass pass)
     {
         var whole = new BoundaryElement(pass, pass.First, pass.Last, ElementForm.Free);
-        return Of(
+        return Estimate(
             [.. run.Points.Select((p, i) => (p.Theoretical, p.Normal, p.Deviation.Dot(p.Normal) - run.BaseMm(i)))],
             [.. FeaturePass.Moving(path, pass.First, pass.Last).Select(i => path.Motions[i]).Where(m => !m.IsArc).Select(m => m.Segment)],
             run.UncertaintyMm,

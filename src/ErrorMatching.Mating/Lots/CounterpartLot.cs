@@ -21,7 +21,7 @@ public sealed record CounterpartLot(MeasuredLot Pieces, Lot? Next)
     /// <param name="previous">The match whose program cut it; null if no match before it is known.</param>
     /// <param name="latest">The last match, if other counterparts were measured between these two; otherwise null.</param>
     /// <param name="toolChanged">True if the tool was changed before it.</param>
-    internal static Outcome<CounterpartLot> Of(
+    internal static Outcome<CounterpartLot> Add(
         MatingJob job,
         IReadOnlyList<FeatureMap> maps,
         MeasurementFile theoretical,

@@ -150,7 +150,7 @@ public static class BoundarySearch
                     new() { Feature = boundary.Name }));
         }
 
-        var fits = cuts.ConvertAll(c => CutFit.Of(path, c, boundary, radius, mapMm));
+        var fits = cuts.ConvertAll(c => CutFit.Fit(path, c, boundary, radius, mapMm));
         var cores = fits.FindAll(f => f.Fault == CutFault.None).ConvertAll(f => Core(f, boundary, radius));
         if (cores.Count == 0)
         {

@@ -34,9 +34,9 @@ internal sealed record CutFit(
     /// <param name="boundary">The boundary, with at least two key points.</param>
     /// <param name="radius">Radius of the tool, mm; null if unknown.</param>
     /// <param name="mapMm">Allowed distance of a key point from where it belongs.</param>
-    public static CutFit Of(NcPath path, FoundPass cut, SoughtBoundary boundary, double? radius, double mapMm)
+    public static CutFit Fit(NcPath path, FoundPass cut, SoughtBoundary boundary, double? radius, double mapMm)
     {
-        SoughtFoot[] feet = [.. boundary.Points.Select(p => SoughtFoot.Of(path, cut, p.At))];
+        SoughtFoot[] feet = [.. boundary.Points.Select(p => SoughtFoot.Find(path, cut, p.At))];
         var compensated = feet[0].IsCompensated;
         var (least, most) = (feet.Min(f => f.DistanceMm), feet.Max(f => f.DistanceMm));
         var wanted = compensated ? 0 : radius ?? (least + most) / 2;
@@ -62,7 +62,7 @@ internal sealed record CutFit(
     // A closed contour passes its start again at its end, and so do lead-in and lead-out. Only a cut beyond these is a second pass.
     private static bool ComesBack(NcPath path, FoundPass cut, FoundPass whole, SoughtFoot foot, Point2 point) =>
         new[] { cut with { Last = whole.First - 2 }, cut with { First = whole.Last + 2 } }
-            .Any(rest => rest.First <= rest.Last && SoughtFoot.Of(path, rest, point).DistanceMm <= foot.DistanceMm + SamePlaceMm);
+            .Any(rest => rest.First <= rest.Last && SoughtFoot.Find(path, rest, point).DistanceMm <= foot.DistanceMm + SamePlaceMm);
 
     /// <summary>Explains why it does not cut the boundary.</summary>
     /// <param name="path">The program, interpreted.</param>

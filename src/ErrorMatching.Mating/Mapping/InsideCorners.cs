@@ -14,7 +14,7 @@ internal static class InsideCorners
     /// <param name="job">The job.</param>
     /// <param name="path">The counterpart's program, interpreted.</param>
     /// <param name="maps">The features mapped onto it.</param>
-    public static IEnumerable<UncutCorner> Of(MatingJob job, NcPath path, IReadOnlyList<FeatureMap> maps)
+    public static IEnumerable<UncutCorner> Find(MatingJob job, NcPath path, IReadOnlyList<FeatureMap> maps)
     {
         var cuts = new Dictionary<int, (FeatureMap Map, FeaturePass Pass)>();
         foreach (var map in maps)

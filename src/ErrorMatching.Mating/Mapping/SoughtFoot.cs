@@ -16,7 +16,7 @@ internal readonly record struct SoughtFoot(double DistanceMm, int First, int Las
     private const double SamePlaceMm = 1e-6;
 
     /// <summary>Finds the foot.</summary>
-    public static SoughtFoot Of(NcPath path, FoundPass cut, Point2 point)
+    public static SoughtFoot Find(NcPath path, FoundPass cut, Point2 point)
     {
         var (best, first, last, left, isTwice) = (double.PositiveInfinity, cut.First, cut.First, 0.0, false);
         for (var m = cut.First; m <= cut.Last; m++)

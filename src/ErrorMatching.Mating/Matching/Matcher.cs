@@ -32,14 +32,14 @@ public static class Matcher
             return Named(stop, maps);
         }
 
-        var part = AlignedMeasurement.Of(job, maps, input.Theoretical, input.Part, MeasuredPiece.Part);
+        var part = AlignedMeasurement.Align(job, maps, input.Theoretical, input.Part, MeasuredPiece.Part);
         var counterpart = input.Counterpart is null
             ? null
-            : AlignedMeasurement.Of(job, maps, input.Theoretical, input.Counterpart, MeasuredPiece.Counterpart);
+            : AlignedMeasurement.Align(job, maps, input.Theoretical, input.Counterpart, MeasuredPiece.Counterpart);
         CounterpartLot? lot = null;
         if (job.Compensation.From == CompensationSource.Counterpart)
         {
-            var following = CounterpartLot.Of(
+            var following = CounterpartLot.Add(
                 job, maps, input.Theoretical, counterpart!, input.Previous, input.Latest, input.ToolChanged);
             if (following.Result is null)
             {
@@ -90,8 +90,8 @@ public static class Matcher
             new(
                 Input, Path, after, Maps, Part, Counterpart, Decision, piece.PredictOn(cuts), course?.Wish, course?.Rewrite, marker, proof)
             {
-                Trust = MeasurementTrust.Of(Input.Job, piece.Runs, Decision),
-                Pair = PairEstimator.Of(Input.Job, Path, Maps, piece, cuts),
+                Trust = MeasurementTrust.Judge(Input.Job, piece.Runs, Decision),
+                Pair = PairEstimator.Estimate(Input.Job, Path, Maps, piece, cuts),
             };
 
         // The program as it is, which nothing changes.

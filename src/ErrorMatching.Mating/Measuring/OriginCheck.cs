@@ -32,7 +32,7 @@ public sealed record OriginCheck(string Point, double DistanceMm, double LimitMm
     /// <param name="check">The check that the job requests.</param>
     /// <param name="theoretical">The origin as designed.</param>
     /// <param name="measured">The origin as measured.</param>
-    public static OriginCheck Of(JobOriginCheck check, LabelledPoint theoretical, LabelledPoint measured)
+    public static OriginCheck Check(JobOriginCheck check, LabelledPoint theoretical, LabelledPoint measured)
     {
         ArgumentNullException.ThrowIfNull(check);
 
@@ -50,7 +50,7 @@ public sealed record OriginCheck(string Point, double DistanceMm, double LimitMm
         {
             if (wanted is { } check
                 && file is not null
-                && Of(check, theoretical[check.Point], file[check.Point]).Refusal is { } refusal)
+                && Check(check, theoretical[check.Point], file[check.Point]).Refusal is { } refusal)
             {
                 return refusal with { Message = $"{file.File}: {refusal.Message}" };
             }

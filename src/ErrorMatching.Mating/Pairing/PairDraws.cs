@@ -24,7 +24,7 @@ internal sealed record PairDraws(double Probability, double MedianMm, double Fro
     /// <param name="gaps">The expected gaps.</param>
     /// <param name="factors">What is not known about them.</param>
     /// <param name="count">Number of boundaries, even.</param>
-    public static PairDraws Of(PairMotions motions, IReadOnlyList<double> gaps, IReadOnlyList<JointFactor> factors, int count = Count)
+    public static PairDraws Draw(PairMotions motions, IReadOnlyList<double> gaps, IReadOnlyList<JointFactor> factors, int count = Count)
     {
         var variates = new NormalVariates(Seed);
         var air = new List<double>(count);
@@ -34,7 +34,7 @@ internal sealed record PairDraws(double Probability, double MedianMm, double Fro
             var slack = new (double Sum, double Squares)[motions.Count];
             all.Draw(Pilot, variates, air, slack);
             int[] kept = [.. Enumerable.Range(0, slack.Length).Where(k => IsNear(slack[k]))];
-            all = all.Of(kept);
+            all = all.Only(kept);
         }
 
         all.Draw(count - air.Count, variates, air, null);
@@ -69,13 +69,13 @@ internal sealed record PairDraws(double Probability, double MedianMm, double Fro
             _seat = motions.Seat(PairSeat.Smallest(gaps));
         }
 
-        public DrawnGaps Of(IReadOnlyList<int> kept) => new(
+        public DrawnGaps Only(IReadOnlyList<int> kept) => new(
             _motions.Of(kept),
             [.. kept.Select(k => _gaps[k])],
-            [.. _factors.Select(f => Of(f, kept)).Where(f => f.Columns.Count > 0 && f.Columns[0].Length > 0)]);
+            [.. _factors.Select(f => Only(f, kept)).Where(f => f.Columns.Count > 0 && f.Columns[0].Length > 0)]);
 
         // Places of one factor follow one another, kept or not.
-        private static JointFactor Of(JointFactor factor, IReadOnlyList<int> kept)
+        private static JointFactor Only(JointFactor factor, IReadOnlyList<int> kept)
         {
             var length = factor.Columns.Count == 0 ? 0 : factor.Columns[0].Length;
             int[] own = [.. kept.Where(k => k >= factor.First && k < factor.First + length)];

@@ -29,7 +29,7 @@ internal sealed class PairEstimator
     /// <param name="piece">The estimate of the measured piece.</param>
     /// <param name="cuts">The cuts of each run of the program to cut.</param>
     /// <returns>Null if the outline does not tell: fewer than two places, one direction of all normals, or several planes.</returns>
-    public static PairAssembly? Of(
+    public static PairAssembly? Estimate(
         MatingJob job, NcPath path, IReadOnlyList<FeatureMap> maps, PieceEstimate piece, Func<RunEstimate, RunPath> cuts)
     {
         if (maps.Select(m => m.Feature.Plane).Distinct().Count() > 1)
@@ -62,14 +62,14 @@ internal sealed class PairEstimator
         double[] gaps = [.. _places.Select(p => p.GapMm)];
         var motions = new PairMotions(
             [.. _places.Select(p => p.Place)], [.. _places.Select(p => p.Normal)], gaps.Max(Math.Abs));
-        var seat = PairSeat.Of(motions, gaps);
+        var seat = PairSeat.Find(motions, gaps);
         var pair = new PairAssembly
         {
             Assembles = true,
             Probability = 1,
             Contacts = [.. seat.Contacts.Select(Contact)],
             RoundCorners = [
-                .. InsideCorners.Of(_job, _path, _maps).Select(c => new PairCorner(BlockOf(c.Before), BlockOf(c.After), c.OverlapMm))],
+                .. InsideCorners.Find(_job, _path, _maps).Select(c => new PairCorner(BlockOf(c.Before), BlockOf(c.After), c.OverlapMm))],
             Play = seat.Play,
             Gaps = [
                 .. _places.Select((p, k) => (p, Mm: seat.GapsMm[k])).Where(g => g.p.IsBetween)
@@ -80,7 +80,7 @@ internal sealed class PairEstimator
             return pair;
         }
 
-        var draws = PairDraws.Of(motions, gaps, _factors);
+        var draws = PairDraws.Draw(motions, gaps, _factors);
         return pair with
         {
             Assembles = draws.Probability >= 0.5,
@@ -111,7 +111,7 @@ internal sealed class PairEstimator
             return;
         }
 
-        _factors.Add(JointFactor.Of(_places.Count, run.Field!.Together([.. places.Select(p => p.Terms)])));
+        _factors.Add(JointFactor.Factor(_places.Count, run.Field!.Together([.. places.Select(p => p.Terms)])));
         foreach (var place in places)
         {
             var beyond = place.GapMm - place.KeptMm - place.ResidualMm;

@@ -46,7 +46,7 @@ internal sealed class PairSeat
     /// <summary>The seat for gaps.</summary>
     /// <param name="motions">The motions of their places.</param>
     /// <param name="gaps">The gaps, positive for air.</param>
-    public static PairSeat Of(PairMotions motions, IReadOnlyList<double> gaps)
+    public static PairSeat Find(PairMotions motions, IReadOnlyList<double> gaps)
     {
         var limits = motions.Limits(gaps);
         var seat = motions.Seat(Smallest(gaps));
@@ -127,9 +127,9 @@ internal sealed class PairSeat
             limits[k] += rounding;
         }
 
-        return new(Of(0, 1), Of(1, 1), Of(2, Angle.FromRadians(1 / motions.ArmMm).Degrees));
+        return new(Find(0, 1), Find(1, 1), Find(2, Angle.FromRadians(1 / motions.ArmMm).Degrees));
 
-        PlayRange? Of(int part, double factor)
+        PlayRange? Find(int part, double factor)
         {
             var (up, down) = (Reach(motions, part, 1, limits, null), Reach(motions, part, -1, limits, null));
             return up.IsFree || down.IsFree ? null : new(-down.Mm * factor, up.Mm * factor);

@@ -37,7 +37,7 @@ public sealed record PlanPrediction(double? BoundMm, double? Assembles, int Part
     /// <param name="plan">The plan of the job.</param>
     /// <param name="parts">The number of parts to draw.</param>
     /// <exception cref="InputException">As <see cref="Matcher.Match"/>.</exception>
-    public static PlanPrediction Of(MatchInput input, TouchPlan plan, int parts = Draws)
+    public static PlanPrediction Predict(MatchInput input, TouchPlan plan, int parts = Draws)
     {
         ArgumentNullException.ThrowIfNull(input);
         ArgumentNullException.ThrowIfNull(plan);

@@ -110,7 +110,7 @@ public static class TouchPlanner
         }
 
         BoundaryElement[] stretched = [.. elements.Select(e => e.Stretch).OfType<BoundaryElement>()];
-        foreach (var run in BoundaryRun.Of(path, stretched, job.Counterpart.ToolDiameterMm))
+        foreach (var run in BoundaryRun.Find(path, stretched, job.Counterpart.ToolDiameterMm))
         {
             for (var i = 0; i < run.Elements.Count; i++)
             {

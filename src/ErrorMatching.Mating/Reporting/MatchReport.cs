@@ -55,7 +55,7 @@ public sealed record MatchReport
     public OutsideLimits Outside => OutsideOf(KeyPoints);
 
     /// <summary>The verdict on the pair.</summary>
-    public MatchVerdict Verdict => MatchVerdict.Of(this);
+    public MatchVerdict Verdict => MatchVerdict.Judge(this);
 
     /// <summary>What became of a program that the verdict says not to cut.</summary>
     public Acceptance Acceptance { get; init; } = Acceptance.None;

@@ -32,7 +32,7 @@ public static class MatchReporter
                     ("counterpart", result.Counterpart)
                 }.Where(p => p.Item2 is not null).Select(p => Alignment(job, p.Item1, p.Item2!))],
             OriginCheck = job.OriginCheck is { } check
-                ? OriginCheck.Of(check, input.Theoretical[check.Point], input.Compensated[check.Point])
+                ? OriginCheck.Check(check, input.Theoretical[check.Point], input.Compensated[check.Point])
                 : null,
             Compensation = job.Compensation,
             Rule = job.Rule,
@@ -239,7 +239,7 @@ public static class MatchReporter
             yield return new("nc-" + problem.Code, $"{block}: {problem.Message}", block, problem.Message);
         }
 
-        foreach (var corner in InsideCorners.Of(result.Input.Job, result.Before, result.Maps))
+        foreach (var corner in InsideCorners.Find(result.Input.Job, result.Before, result.Maps))
         {
             yield return WarningForms.Warning(
                 WarningForms.InsideCorner,

@@ -85,7 +85,7 @@ public sealed record MatchVerdict
     public required double? ProbabilityAfter { get; init; }
 
     /// <summary>The verdict on a report.</summary>
-    internal static MatchVerdict Of(MatchReport report)
+    internal static MatchVerdict Judge(MatchReport report)
     {
         var limits = report.Features.ToDictionary(f => f.Name, f => f.Tolerance.Band.Opposite(), StringComparer.Ordinal);
         ReportKeyPoint[] judged = [.. report.KeyPoints.Where(p => LimitsOf(p).WidthMm > 0)];

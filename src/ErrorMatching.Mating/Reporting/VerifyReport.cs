@@ -25,7 +25,7 @@ public sealed record VerifyReport(
     public DecisionRule? Rule { get; init; }
 
     /// <summary>The verdict on the counterpart that was cut with compensation.</summary>
-    public VerifyVerdict Verdict => VerifyVerdict.Of(this);
+    public VerifyVerdict Verdict => VerifyVerdict.Judge(this);
 
     /// <summary>The measurement of the counterpart before; null if the designed one is used.</summary>
     public ReportInput? Before => ReportInputs.Find(Inputs, "counterpart");

@@ -40,11 +40,11 @@ public static class VerifyRun
         }
 
         refusals = [];
-        var part = AlignedMeasurement.Of(job, maps, input.Theoretical, input.Part, MeasuredPiece.Part);
+        var part = AlignedMeasurement.Align(job, maps, input.Theoretical, input.Part, MeasuredPiece.Part);
         var before = input.Before is null
             ? null
-            : AlignedMeasurement.Of(job, maps, input.Theoretical, input.Before, MeasuredPiece.Counterpart);
-        var after = AlignedMeasurement.Of(job, maps, input.Theoretical, input.After, MeasuredPiece.Counterpart);
+            : AlignedMeasurement.Align(job, maps, input.Theoretical, input.Before, MeasuredPiece.Counterpart);
+        var after = AlignedMeasurement.Align(job, maps, input.Theoretical, input.After, MeasuredPiece.Counterpart);
         var boundaries = maps.Select(m => Boundary(input, path, m)).ToArray();
         var points = maps.Zip(boundaries).Select(m => (IReadOnlyList<VerifiedPoint>)
             [
@@ -95,7 +95,7 @@ public static class VerifyRun
                 GapMm = map.Feature.GapMm,
             })]).ToArray();
         var piece = new CourseEstimator(job, path, maps, Decider.Decide(job, points), input.Theoretical).Measure(path);
-        return PairEstimator.Of(job, path, maps, piece, r => r.OnCuts(path));
+        return PairEstimator.Estimate(job, path, maps, piece, r => r.OnCuts(path));
     }
 
     private static VerifiedBoundary Boundary(VerifyInput input, NcPath path, FeatureMap map)

@@ -46,7 +46,7 @@ public sealed record VerifyVerdict
     public required double? Probability { get; init; }
 
     /// <summary>The verdict on a report.</summary>
-    internal static VerifyVerdict Of(VerifyReport report)
+    internal static VerifyVerdict Judge(VerifyReport report)
     {
         var (result, u, rule) = (report.Result, report.UncertaintyMm, report.Rule ?? DecisionRule.Simple);
         ErrorLeft[] all = [.. result.Points.Select(Left)];

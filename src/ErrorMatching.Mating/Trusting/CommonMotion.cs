@@ -34,7 +34,7 @@ public sealed record CommonMotion(
     /// <param name="points">The key points.</param>
     /// <param name="uncertaintyMm">Standard uncertainty of a deviation.</param>
     /// <param name="mostMm">The distance beyond which a motion asks whether the origin is right; null for none.</param>
-    internal static CommonMotion? Of(IReadOnlyList<BoundaryPoint> points, double uncertaintyMm, double? mostMm)
+    internal static CommonMotion? Find(IReadOnlyList<BoundaryPoint> points, double uncertaintyMm, double? mostMm)
     {
         var n = points.Count;
         var squares = points.Sum(p => p.MeasuredMm * p.MeasuredMm);

@@ -31,7 +31,7 @@ public sealed record MeasurementTrust(
     /// <param name="job">The job.</param>
     /// <param name="runs">The runs that cut its features, with their key points.</param>
     /// <param name="decision">The deviations of the points.</param>
-    internal static MeasurementTrust Of(MatingJob job, IReadOnlyList<RunEstimate> runs, MatingDecision decision)
+    internal static MeasurementTrust Judge(MatingJob job, IReadOnlyList<RunEstimate> runs, MatingDecision decision)
     {
         var u = decision.Features[0].StandardUncertaintyMm;
         var suspects = new List<SuspectPoint>();
@@ -58,11 +58,11 @@ public sealed record MeasurementTrust(
         return new(
             [.. suspects.OrderByDescending(s => Math.Abs(s.Sigmas))],
             [.. job.Features.Where((_, f) => !judged.Contains(f)).Select(f => f.Name)],
-            CommonMotion.Of(
+            CommonMotion.Find(
                 [.. decision.Features.SelectMany(f => f.Points).Select(p => p.Point)],
                 u,
                 job.CommonMotionMm ?? LargestLimit(job)),
-            ScatterRatio.Of([.. runs.Select(r => (r.Stretches, r.MeasuredRows().Rows))], u));
+            ScatterRatio.Estimate([.. runs.Select(r => (r.Stretches, r.MeasuredRows().Rows))], u));
     }
 
     // A job that may correct by the work offset expects parts that are shifted.

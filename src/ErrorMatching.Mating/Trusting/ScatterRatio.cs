@@ -28,7 +28,7 @@ public sealed record ScatterRatio(double Ratio, double From, double To)
     /// 2006, section 5.4.1), as a density over the logarithm of the ratio.</remarks>
     /// <param name="runs">The elements of each run, and what its key points say.</param>
     /// <param name="uncertaintyMm">The stated standard uncertainty.</param>
-    internal static ScatterRatio? Of(
+    internal static ScatterRatio? Estimate(
         IReadOnlyList<(IReadOnlyList<Stretch> Elements, BoundaryRow[] Rows)> runs, double uncertaintyMm)
     {
         var told = runs.Where(r => r.Rows.Length >= Fewest && r.Elements.Count > 0).ToArray();

@@ -25,7 +25,7 @@ public sealed record Lot(
     /// <param name="ahead">Number of pieces that are cut before it, and not measured yet.</param>
     /// <exception cref="ArgumentException">There is no piece or no point, or the pieces have different numbers of points.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The uncertainty is not a positive number.</exception>
-    public static Lot Of(IReadOnlyList<LotPiece> pieces, double uncertaintyMm, int ahead = 0)
+    public static Lot Estimate(IReadOnlyList<LotPiece> pieces, double uncertaintyMm, int ahead = 0)
     {
         ArgumentNullException.ThrowIfNull(pieces);
         if (!(uncertaintyMm > 0) || double.IsInfinity(uncertaintyMm))

@@ -64,6 +64,6 @@ public sealed record MeasuredLot(IReadOnlyList<string> Points, IReadOnlyList<Rec
     {
         // The median: a single piece that is off must not pass for noise.
         var noise = Pieces.Select(p => p.NoiseMm).Order().ElementAt((Pieces.Count - 1) / 2);
-        return Lot.Of([.. Pieces.Select(p => p.Values)], Math.Max(Math.Max(uncertaintyMm, noise), LeastUncertaintyMm), ahead);
+        return Lot.Estimate([.. Pieces.Select(p => p.Values)], Math.Max(Math.Max(uncertaintyMm, noise), LeastUncertaintyMm), ahead);
     }
 }

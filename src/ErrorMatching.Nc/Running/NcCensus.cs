@@ -14,7 +14,7 @@ public sealed record NcCensus(int Blocks, long Words, bool RoundTrips)
             return Of(program, 0, program.BlockCount);
         }
 
-        var (first, second) = TwoThreads.Of(0, program.BlockCount, (from, end) => Of(program, from, end));
+        var (first, second) = TwoThreads.Run(0, program.BlockCount, (from, end) => Of(program, from, end));
         return new(program.BlockCount, first.Words + second.Words, first.RoundTrips && second.RoundTrips);
     }
 

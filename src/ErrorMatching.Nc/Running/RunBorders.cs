@@ -45,7 +45,7 @@ internal sealed class RunBorders(NcControl control, BlockExecutor executor)
         }
         else
         {
-            TwoThreads.Of(1, borders, Compare);
+            TwoThreads.Run(1, borders, Compare);
         }
 
         return isSame;

@@ -120,7 +120,7 @@ public sealed class BlockSelector
         // The two halves of a long program are searched concurrently.
         var (before, behind) = program.BlockCount < Many
             ? (Find(program, 0, program.BlockCount, wanted, bits), [])
-            : TwoThreads.Of(0, program.BlockCount, (from, end) => Find(program, from, end, wanted, bits));
+            : TwoThreads.Run(0, program.BlockCount, (from, end) => Find(program, from, end, wanted, bits));
         foreach (var block in before)
         {
             Note(block);

@@ -82,7 +82,7 @@ public sealed class DisplacementWish
         var distinct = InOrder(blocks) ? blocks : [.. blocks.Distinct()];
         var (first, second) = distinct.Count < TwoThreads.Many
             ? (WishesOf(path, distinct, 0, distinct.Count, left), ([], null))
-            : TwoThreads.Of(0, distinct.Count, (from, end) => WishesOf(path, distinct, from, end, left));
+            : TwoThreads.Run(0, distinct.Count, (from, end) => WishesOf(path, distinct, from, end, left));
         if ((first.Refusal ?? second.Refusal) is { } refusal)
         {
             return refusal;

@@ -35,7 +35,7 @@ public sealed class CompensationNoiseTests
         var warning = ReportWarning.Of(SurfaceWarningForms.OutOfOrder, "measured.csv", "7", "5", "6");
         var strange = piece.With(Tilted) with { Warnings = [warning] };
         Assert.Equal([warning], piece.Compensate(strange).Result!.Warnings);
-        Assert.Equal([warning], Assert.Single(SurfaceEvaluation.Of(piece.Job, piece.Surface, [strange]).Pieces).Warnings);
+        Assert.Equal([warning], Assert.Single(SurfaceEvaluation.Evaluate(piece.Job, piece.Surface, [strange]).Pieces).Warnings);
     }
 
     // Measured without noise, so that nothing is left at the points: the lines that were left out tell that it is little to go by.

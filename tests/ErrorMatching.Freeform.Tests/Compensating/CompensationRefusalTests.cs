@@ -31,7 +31,7 @@ public sealed class CompensationRefusalTests
             Assert.Throws<InputException>(() => piece.Compensate(piece.With(Tilted), piece.With(Tilted, "copy.csv"))).Code);
         Assert.Equal(
             "same-measurement",
-            Assert.Throws<InputException>(() => SurfaceEvaluation.Of(
+            Assert.Throws<InputException>(() => SurfaceEvaluation.Evaluate(
                 piece.Job, piece.Surface, [piece.With(Tilted), piece.With(Tilted, "copy.csv")])).Code);
     }
 

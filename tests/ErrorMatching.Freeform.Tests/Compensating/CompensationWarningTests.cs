@@ -55,7 +55,7 @@ public sealed class CompensationWarningTests
     {
         var piece = new MeasuredDesign(PaperDesign.One);
         var (one, other) = (piece.Plan.Points[12], piece.Plan.Points[50]);
-        var e = SurfaceEvaluation.Of(
+        var e = SurfaceEvaluation.Evaluate(
             piece.Job,
             piece.Surface,
             [piece.With((u, v) => (u == one.U && v == one.V) || (u == other.U && v == other.V) ? 0.48 : 0.01 * v)]);

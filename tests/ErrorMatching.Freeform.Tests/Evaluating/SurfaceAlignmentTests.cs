@@ -11,7 +11,7 @@ public sealed class SurfaceAlignmentTests
         foreach (var (u, v) in new[] { (0.1, 0.2), (0.5, 0.5), (0.9, 0.7), (0, 1) })
         {
             var (surface, at) = (PaperDesign.Three, PaperDesign.Three.Spline.At(u, v));
-            var foot = NormalFoot.Of(surface.Spline, at.Position + (surface.NormalOf(at) * 0.35), u + 0.03, v - 0.03);
+            var foot = NormalFoot.Find(surface.Spline, at.Position + (surface.NormalOf(at) * 0.35), u + 0.03, v - 0.03);
 
             Assert.True((foot!.Value.Position - at.Position).Length < 1e-9);
         }
@@ -21,7 +21,7 @@ public sealed class SurfaceAlignmentTests
     public void Error_is_the_distance_along_the_normal_less_the_stock()
     {
         var plan = PlanOf(PaperDesign.Three).ToArray();
-        var errors = SurfaceErrors.Of(
+        var errors = SurfaceErrors.Find(
             PaperDesign.Three, plan.Select((p, i) => (p, p.Position + (p.Normal * (0.2 + (i * 0.001))))), 0.2, "m.csv");
 
         Assert.All(errors.Select((e, i) => (e, i)), p => Assert.Equal(p.i * 0.001, p.e.ErrorMm, 9));
@@ -31,7 +31,7 @@ public sealed class SurfaceAlignmentTests
     public void A_point_that_no_normal_leads_to_is_refused_by_its_number()
     {
         var point = PlanOf(PaperDesign.Two).First();
-        var e = Assert.Throws<InputException>(() => SurfaceErrors.Of(PaperDesign.Two, [(point, new(1e300, 0, 0))], 0, "m.csv"));
+        var e = Assert.Throws<InputException>(() => SurfaceErrors.Find(PaperDesign.Two, [(point, new(1e300, 0, 0))], 0, "m.csv"));
 
         Assert.Equal(("no-foot", "m.csv"), (e.Code, e.File));
         Assert.Contains($"point {point.Number} ", e.Message, StringComparison.Ordinal);
@@ -45,9 +45,9 @@ public sealed class SurfaceAlignmentTests
         var points = PlanOf(surface).Select(p => (p, askew.Apply(p.Position))).ToArray();
         var back = SurfaceAlignment.BestFit(surface, points, 0, "m.csv");
 
-        Assert.True(SurfaceErrors.Of(surface, points, 0, "m.csv").Max(e => Math.Abs(e.ErrorMm)) > 0.02);
+        Assert.True(SurfaceErrors.Find(surface, points, 0, "m.csv").Max(e => Math.Abs(e.ErrorMm)) > 0.02);
         Assert.All(
-            SurfaceErrors.Of(surface, points.Select(p => (p.p, back.Apply(p.Item2))), 0, "m.csv"), e => Assert.Equal(0, e.ErrorMm, 8));
+            SurfaceErrors.Find(surface, points.Select(p => (p.p, back.Apply(p.Item2))), 0, "m.csv"), e => Assert.Equal(0, e.ErrorMm, 8));
     }
 
     [Fact]
@@ -59,7 +59,7 @@ public sealed class SurfaceAlignmentTests
 
         Assert.Equal(0, back.TranslateMm.Y, 6);
         Assert.All(
-            SurfaceErrors.Of(surface, points.Select(p => (p.p, back.Apply(p.Item2))), 0, "m.csv"), e => Assert.Equal(0, e.ErrorMm, 8));
+            SurfaceErrors.Find(surface, points.Select(p => (p.p, back.Apply(p.Item2))), 0, "m.csv"), e => Assert.Equal(0, e.ErrorMm, 8));
     }
 
     private static IEnumerable<PlanPoint> PlanOf(PartSurface surface)

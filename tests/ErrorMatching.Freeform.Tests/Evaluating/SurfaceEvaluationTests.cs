@@ -6,7 +6,7 @@ public sealed class SurfaceEvaluationTests
     public void Replicas_are_evaluated_one_by_one_and_together()
     {
         var piece = new MeasuredDesign(PaperDesign.Two);
-        var e = SurfaceEvaluation.Of(piece.Job, piece.Surface, [piece.With((u, v) => 0.010), piece.With((u, v) => 0.020)]);
+        var e = SurfaceEvaluation.Evaluate(piece.Job, piece.Surface, [piece.With((u, v) => 0.010), piece.With((u, v) => 0.020)]);
 
         Assert.Equal([0.010, 0.020], e.Pieces.Select(p => Math.Round(p.Statistics.MeanMm, 9)));
         Assert.Equal(140, e.Together.Count);
@@ -24,7 +24,7 @@ public sealed class SurfaceEvaluationTests
     public void Points_tell_whether_stock_lies_on_the_piece(string job, double stock, CuttingStage stage, bool isFound)
     {
         var piece = new MeasuredDesign(PaperDesign.Three, "\"measuredAfter\": \"semi-finishing\"", $"\"measuredAfter\": \"{job}\"");
-        var e = SurfaceEvaluation.Of(piece.Job, piece.Surface, [piece.Over(stock, (u, v) => 0.015 + (0.01 * u))]).Pieces[0];
+        var e = SurfaceEvaluation.Evaluate(piece.Job, piece.Surface, [piece.Over(stock, (u, v) => 0.015 + (0.01 * u))]).Pieces[0];
 
         Assert.Equal((stage, isFound), (e.Stage, e.StageIsFound));
         Assert.Equal(0.02, e.Statistics.MeanMm, 2);
@@ -34,7 +34,7 @@ public sealed class SurfaceEvaluationTests
     public void A_piece_that_lies_at_no_stage_s_surface_is_held_against_the_job_s()
     {
         var piece = new MeasuredDesign(PaperDesign.One);
-        var e = SurfaceEvaluation.Of(piece.Job, piece.Surface, [piece.Over(0.09, (u, v) => 0)]).Pieces[0];
+        var e = SurfaceEvaluation.Evaluate(piece.Job, piece.Surface, [piece.Over(0.09, (u, v) => 0)]).Pieces[0];
 
         Assert.False(e.StageIsFound);
         Assert.Equal(-0.11, e.Statistics.MeanMm, 9);
@@ -45,7 +45,7 @@ public sealed class SurfaceEvaluationTests
     {
         var piece = new MeasuredDesign(PaperDesign.One);
         var bad = piece.Plan.Points[31];
-        var e = SurfaceEvaluation.Of(
+        var e = SurfaceEvaluation.Evaluate(
             piece.Job,
             piece.Surface,
             [piece.With((u, v) => 0.01 * u, "good.csv"), piece.With((u, v) => u == bad.U && v == bad.V ? 0.48 : 0.01 * v, "bad.csv")]);

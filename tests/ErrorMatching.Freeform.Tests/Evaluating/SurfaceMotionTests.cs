@@ -64,7 +64,7 @@ public sealed class SurfaceMotionTests
             var error = 0.15 * (Math.Sqrt(share) + (Math.Sqrt(1 - share) * (((i + j) % 2 * 2) - 1)));
             return new ErrorSample(k + 1, i, j, i / 9.0, j / 9.0, new(10 * i, 10 * j, 0), new(0, 0, 1), error);
         }).ToArray();
-        var motion = SurfaceMotion.Of(samples, 0.0001, 0.05)!;
+        var motion = SurfaceMotion.Find(samples, 0.0001, 0.05)!;
         Assert.Equal(share, motion.Explains, 0.001);
         Assert.Equal(isAsked, motion.AsksForOrigin);
         // The mean of 100 errors.

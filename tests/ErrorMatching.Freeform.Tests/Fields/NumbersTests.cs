@@ -35,7 +35,7 @@ public sealed class NumbersTests
         double[] values = Column();
         var mean = values.Average();
         values = Array.ConvertAll(values, x => x - mean);
-        var orthonormal = OrthonormalColumns.Of(columns, []);
+        var orthonormal = OrthonormalColumns.Build(columns, []);
         var factor = new CenteredFactor(columns);
 
         Assert.Equal(3, orthonormal.Length);
@@ -71,7 +71,7 @@ public sealed class NumbersTests
         var (grid, scattered) = (new FieldData(i, j, u, v, z), new FieldData(i, j, moved, v, z));
         Assert.NotNull(grid.Grid);
         Assert.Null(scattered.Grid);
-        var (onGrid, apart) = (WaveBasis.Of(grid), WaveBasis.Of(scattered));
+        var (onGrid, apart) = (WaveBasis.Build(grid), WaveBasis.Build(scattered));
         foreach (var only in new Func<double, double, bool>[] { (_, _) => true, (a, _) => a == 0, (_, b) => b == 0, (a, b) => a * b == 1 })
         {
             var (expected, found) = (apart.Strongest(unit, only), onGrid.Strongest(unit, only));
@@ -155,17 +155,17 @@ public sealed class NumbersTests
     public void The_minimum_of_a_function_of_one_number_is_found_with_few_questions()
     {
         var asked = 0;
-        var place = LineMinimum.Of(x => { asked++; return Math.Pow(x - 0.7, 2) + Math.Pow(x - 0.7, 4); }, -1, 2, 1e-7);
+        var place = LineMinimum.Find(x => { asked++; return Math.Pow(x - 0.7, 2) + Math.Pow(x - 0.7, 4); }, -1, 2, 1e-7);
 
         Assert.Equal(0.7, place, 1e-6);
         Assert.InRange(asked, 3, 25);
-        Assert.Equal(0.25, LineMinimum.Of(x => Math.Abs(x - 0.25), 0, 1, 1e-7), 1e-6);
-        Assert.Equal(2, LineMinimum.Of(x => -x, 0, 2, 1e-7), 1e-6);
+        Assert.Equal(0.25, LineMinimum.Find(x => Math.Abs(x - 0.25), 0, 1, 1e-7), 1e-6);
+        Assert.Equal(2, LineMinimum.Find(x => -x, 0, 2, 1e-7), 1e-6);
     }
 
     [Fact]
     public void A_function_without_finite_values_ends_the_search_somewhere_inside() =>
-        Assert.InRange(LineMinimum.Of(_ => double.PositiveInfinity, 0, 1, 1e-7), 0, 1);
+        Assert.InRange(LineMinimum.Find(_ => double.PositiveInfinity, 0, 1, 1e-7), 0, 1);
 
     [Fact]
     public void A_column_that_nearly_depends_on_another_is_orthogonalized_again()

@@ -217,7 +217,7 @@ public sealed class OutlyingPointsTests
             StringComparison.Ordinal);
     }
 
-    private static IReadOnlyList<OutlyingPoint> Outlying(IReadOnlyList<ErrorSample> samples) => OutlyingPoints.Of(samples, 0.0001);
+    private static IReadOnlyList<OutlyingPoint> Outlying(IReadOnlyList<ErrorSample> samples) => OutlyingPoints.Find(samples, 0.0001);
 
     // Errors of a machine whose largest less smallest is what is asked for.
     private static TrueShape Spanning(int seed, double span)

@@ -32,8 +32,8 @@ public sealed class PermutationTestTests(ITestOutputHelper output)
     public void The_test_that_found_a_structure_is_named()
     {
         var plan = new MeasuredDesign(PaperDesign.One).Plan.Points;
-        var wave = SpatialStructure.Of(Samples(plan, (x, y) => 0.01 * Math.Sin(2 * Math.PI * 37.5 * x / 25), 0.001, 3));
-        var tilt = SpatialStructure.Of(Samples(plan, (x, y) => 0.002 * x, 0.002, 3));
+        var wave = SpatialStructure.Test(Samples(plan, (x, y) => 0.01 * Math.Sin(2 * Math.PI * 37.5 * x / 25), 0.001, 3));
+        var tilt = SpatialStructure.Test(Samples(plan, (x, y) => 0.002 * x, 0.002, 3));
 
         var found = Assert.Single(wave.Found, t => t.Kind == StructureKind.Wave);
         Assert.InRange(found.WaveMm.U, 23, 27);
@@ -48,7 +48,7 @@ public sealed class PermutationTestTests(ITestOutputHelper output)
     {
         var plan = new MeasuredDesign(PaperDesign.One).Plan.Points;
         var number = plan.ToDictionary(p => ((2 * p.U) - 1, (2 * p.V) - 1), p => p.I + p.J);
-        var structure = SpatialStructure.Of(Samples(plan, (x, y) => number[(x, y)] % 2 == 0 ? 0.003 : -0.003, 0.001, 2));
+        var structure = SpatialStructure.Test(Samples(plan, (x, y) => number[(x, y)] % 2 == 0 ? 0.003 : -0.003, 0.001, 2));
 
         Assert.Equal(SpatialVerdict.Systematic, structure.Verdict);
         Assert.True(structure.I < -0.5);
@@ -63,7 +63,7 @@ public sealed class PermutationTestTests(ITestOutputHelper output)
         var samples = Samples(plan, (x, y) => 0.0005 * x, 0.001, 8);
 
         Assert.Equal(
-            SpatialStructure.Of(samples).Tests.Select(t => t.P), SpatialStructure.Of([.. samples.Reverse()]).Tests.Select(t => t.P));
+            SpatialStructure.Test(samples).Tests.Select(t => t.P), SpatialStructure.Test([.. samples.Reverse()]).Tests.Select(t => t.P));
     }
 
     [Fact]
@@ -87,7 +87,7 @@ public sealed class PermutationTestTests(ITestOutputHelper output)
             2 => new(PaperDesign.Two, "\"pointsPerCurve\": 10", "\"pointsPerCurve\": 7"),
             _ => new(PaperDesign.Three, "\"pointsPerCurve\": 10", "\"points\": 68"),
         };
-        var rate = Enumerable.Range(1, Seeds).Count(seed => SpatialStructure.Of(
+        var rate = Enumerable.Range(1, Seeds).Count(seed => SpatialStructure.Test(
             Samples(piece.Plan.Points, family.Of((1000 * seed) + 17, 0.003 * ratio), 0.003, (7919 * seed) + 5)).Verdict
             == SpatialVerdict.Systematic) / (double)Seeds;
         output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{family} on design {design}: {100 * rate:0.0} %"));

@@ -9,7 +9,8 @@ public sealed class RepeatedMeasurementTests
     {
         // 2 4 4 4 5 5 7 9: mean 5, sum of squares 32, deviation sqrt(32/7), standard error of the mean sqrt(32/7/8).
         var point = Assert.Single(
-            RepeatedMeasurement.Of([.. new[] { 2.0, 4, 4, 4, 5, 5, 7, 9 }.Select(e => (IReadOnlyList<ErrorSample>)[Sample(1, e)])]).Points);
+            RepeatedMeasurement.Estimate(
+                [.. new[] { 2.0, 4, 4, 4, 5, 5, 7, 9 }.Select(e => (IReadOnlyList<ErrorSample>)[Sample(1, e)])]).Points);
 
         Assert.Equal(5, point.Mean.ErrorMm, 1e-15);
         Assert.Equal(8, point.Count);
@@ -21,7 +22,7 @@ public sealed class RepeatedMeasurementTests
     public void Repeatability_is_pooled_over_the_points()
     {
         // Deviations 1 (three values 0 1 2) and sqrt(2) (two values 0 2): (2 * 1 + 1 * 2) / 3.
-        var result = RepeatedMeasurement.Of([[Sample(1, 0), Sample(2, 0)], [Sample(1, 1), Sample(2, 2)], [Sample(1, 2)]]);
+        var result = RepeatedMeasurement.Estimate([[Sample(1, 0), Sample(2, 0)], [Sample(1, 1), Sample(2, 2)], [Sample(1, 2)]]);
 
         Assert.Equal(Math.Sqrt(4.0 / 3), result.RepeatabilityMm, 1e-14);
         Assert.Equal([1, 2], result.Means.Select(m => m.Point));
@@ -36,7 +37,7 @@ public sealed class RepeatedMeasurementTests
                 m => (IReadOnlyList<ErrorSample>)[
                     .. Enumerable.Range(1, 20).Select(p => Sample(p, (0.001 * noise.Next()) + (m == 2 && p == 7 ? 0.05 : 0)))])
             .ToArray();
-        var result = RepeatedMeasurement.Of(measurements);
+        var result = RepeatedMeasurement.Estimate(measurements);
         var outlier = Assert.Single(result.Outliers);
 
         Assert.Equal((7, 2), (outlier.Point, outlier.Measurement));
@@ -47,7 +48,7 @@ public sealed class RepeatedMeasurementTests
     [Fact]
     public void A_point_measured_once_has_no_deviation()
     {
-        var result = RepeatedMeasurement.Of([[Sample(1, 0.5)]]);
+        var result = RepeatedMeasurement.Estimate([[Sample(1, 0.5)]]);
 
         Assert.True(double.IsNaN(result.Points[0].StandardDeviationMm));
         Assert.True(double.IsNaN(result.RepeatabilityMm));
@@ -57,10 +58,10 @@ public sealed class RepeatedMeasurementTests
     [Fact]
     public void Doubled_missing_and_infinite_points_are_refused_with_their_place()
     {
-        var doubled = Assert.Throws<InputException>(() => RepeatedMeasurement.Of([[Sample(1, 0)], [Sample(3, 0), Sample(3, 1)]]));
+        var doubled = Assert.Throws<InputException>(() => RepeatedMeasurement.Estimate([[Sample(1, 0)], [Sample(3, 0), Sample(3, 1)]]));
         Assert.Equal(("doubled-point", "measurement 2"), (doubled.Code, doubled.File));
-        Assert.Equal("no-samples", Assert.Throws<InputException>(() => RepeatedMeasurement.Of([])).Code);
-        Assert.Equal("not-finite", Assert.Throws<InputException>(() => RepeatedMeasurement.Of([[Sample(1, double.NaN)]])).Code);
+        Assert.Equal("no-samples", Assert.Throws<InputException>(() => RepeatedMeasurement.Estimate([])).Code);
+        Assert.Equal("not-finite", Assert.Throws<InputException>(() => RepeatedMeasurement.Estimate([[Sample(1, double.NaN)]])).Code);
     }
 
     private static ErrorSample Sample(int point, double error) => new(point, point, 0, 0, 0, new(0, 0, 0), new(0, 0, 1), error);

@@ -12,7 +12,7 @@ public sealed class SpatialStructureTests
         // sum of squares 10, W = 6. I = 4 / 6 * 6 / 10 = 0.4. E = -1/3.
         // S0 = 6, S1 = 12, S2 = 4 (1 + 4 + 4 + 1) = 40, b2 = 4 * 34 / 100 = 1.36. E[I^2] = (4 ((16 - 12 + 3) 12 - 4 * 40 + 3 * 36) - 1.36
         // ((16 - 4) 12 - 8 * 40 + 6 * 36)) / (3 * 2 * 1 * 36) = (4 * 32 - 1.36 * 40) / 216 = 73.6 / 216.
-        var result = SpatialStructure.Of([1, 2, 4, 5], [(0, 1), (1, 2), (2, 3)]);
+        var result = SpatialStructure.Test([1, 2, 4, 5], [(0, 1), (1, 2), (2, 3)]);
 
         Assert.Equal(0.4, result.I, 1e-14);
         Assert.Equal(-1.0 / 3, result.Expectation, 1e-14);
@@ -25,7 +25,7 @@ public sealed class SpatialStructureTests
         double[] values = [0.3, 1.9, -2.2, 4.1, 0.7, 8.0];
         (int, int)[] neighbors = [(0, 1), (1, 2), (3, 4), (4, 5), (0, 3), (1, 4), (2, 5)];
         var all = Orders(values).Select(order => BruteForce(order, neighbors)).ToArray();
-        var result = SpatialStructure.Of(values, neighbors);
+        var result = SpatialStructure.Test(values, neighbors);
 
         Assert.Equal(720, all.Length);
         Assert.Equal(BruteForce(values, neighbors), result.I, 1e-13);
@@ -36,10 +36,10 @@ public sealed class SpatialStructureTests
     [Fact]
     public void A_smooth_error_is_systematic_and_noise_is_noise()
     {
-        Assert.Equal(SpatialVerdict.Systematic, SpatialStructure.Of(TrueShape.MachineError.Samples(noise: 0.001)).Verdict);
+        Assert.Equal(SpatialVerdict.Systematic, SpatialStructure.Test(TrueShape.MachineError.Samples(noise: 0.001)).Verdict);
         var flat = new TrueShape("flat", (x, y) => 0.015);
         var wrong = Enumerable.Range(1, 200).Count(
-            seed => SpatialStructure.Of(flat.Samples(noise: 0.003, seed: seed)).Verdict == SpatialVerdict.Systematic);
+            seed => SpatialStructure.Test(flat.Samples(noise: 0.003, seed: seed)).Verdict == SpatialVerdict.Systematic);
 
         // 5 % of 200 are 10, with a standard deviation of 3.
         Assert.InRange(wrong, 2, 20);
@@ -50,16 +50,16 @@ public sealed class SpatialStructureTests
     {
         var samples = TrueShape.MachineError.Samples(noise: 0.001, seed: 2);
 
-        Assert.Equal(SpatialVerdict.Noise, SpatialStructure.Of(samples, FieldFit.Fit(samples).Residuals).Verdict);
+        Assert.Equal(SpatialVerdict.Noise, SpatialStructure.Test(samples, FieldFit.Fit(samples).Residuals).Verdict);
     }
 
     [Fact]
     public void Values_that_are_alike_or_too_few_say_nothing()
     {
-        Assert.Equal(SpatialVerdict.Undetermined, SpatialStructure.Of(new TrueShape("flat", (x, y) => 1).Samples()).Verdict);
-        Assert.Equal(SpatialVerdict.Undetermined, SpatialStructure.Of(TrueShape.MachineError.Samples(3, 3)).Verdict);
-        Assert.Equal(SpatialVerdict.Undetermined, SpatialStructure.Of([]).Verdict);
-        Assert.Throws<ArgumentException>(() => SpatialStructure.Of(TrueShape.MachineError.Samples(), [1.0]));
+        Assert.Equal(SpatialVerdict.Undetermined, SpatialStructure.Test(new TrueShape("flat", (x, y) => 1).Samples()).Verdict);
+        Assert.Equal(SpatialVerdict.Undetermined, SpatialStructure.Test(TrueShape.MachineError.Samples(3, 3)).Verdict);
+        Assert.Equal(SpatialVerdict.Undetermined, SpatialStructure.Test([]).Verdict);
+        Assert.Throws<ArgumentException>(() => SpatialStructure.Test(TrueShape.MachineError.Samples(), [1.0]));
     }
 
     [Fact]
@@ -85,7 +85,7 @@ public sealed class SpatialStructureTests
         {
             var samples = TrueShape.MachineError.Samples(5, 4, 0.002, seed);
             var (one, other) = (
-                SpatialStructure.Of(samples), SpatialStructure.Of(samples, [.. samples.Select(s => (1000 * s.ErrorMm) - 7)]));
+                SpatialStructure.Test(samples), SpatialStructure.Test(samples, [.. samples.Select(s => (1000 * s.ErrorMm) - 7)]));
             return Math.Abs(one.I - other.I) < 1e-9 && Math.Abs(one.Z - other.Z) < 1e-8;
         }).QuickCheckThrowOnFailure();
 

@@ -10,7 +10,7 @@ public sealed class MeasuringOrderTests
     public void A_grid_is_measured_without_a_step_longer_than_its_spacing()
     {
         Point2[] points = [.. Enumerable.Range(0, 70).Select(k => new Point2(k % 10 * 8, k / 10 * 10))];
-        var order = MeasuringOrder.Of(points, [.. Enumerable.Range(0, 70).Select(k => k / 10)]);
+        var order = MeasuringOrder.Find(points, [.. Enumerable.Range(0, 70).Select(k => k / 10)]);
 
         // 69 steps; along the rows 63 of 8 mm, between them 6 of 10 mm.
         Assert.Equal((63 * 8) + (6 * 10), MeasuringOrder.Length(points, order), 1e-9);
@@ -25,7 +25,7 @@ public sealed class MeasuringOrderTests
         {
             var points = Scattered(random, 1 + (trial % 7));
             var shortest = Permutations([.. Enumerable.Range(0, points.Length)], 0).Min(o => MeasuringOrder.Length(points, o));
-            Assert.Equal(shortest, MeasuringOrder.Length(points, MeasuringOrder.Of(points, new int[points.Length])), 1e-9);
+            Assert.Equal(shortest, MeasuringOrder.Length(points, MeasuringOrder.Find(points, new int[points.Length])), 1e-9);
         }
     }
 
@@ -37,12 +37,12 @@ public sealed class MeasuringOrderTests
     {
         var points = Scattered(new Random(count), count);
         points.AsSpan(0, 5).CopyTo(points.AsSpan(count - 5));
-        var order = MeasuringOrder.Of(points, [.. Enumerable.Range(0, count).Select(k => k / 10)]);
+        var order = MeasuringOrder.Find(points, [.. Enumerable.Range(0, count).Select(k => k / 10)]);
 
         Assert.Equal(Enumerable.Range(0, count), order.Order());
         Assert.InRange(
             MeasuringOrder.Length(points, order), 0, (1 + longer) * LeastLength(points, MeasuringOrder.Length(points, order), 300));
-        Assert.Equal(Enumerable.Range(0, 20), MeasuringOrder.Of(new Point2[20], new int[20]).Order());
+        Assert.Equal(Enumerable.Range(0, 20), MeasuringOrder.Find(new Point2[20], new int[20]).Order());
     }
 
     [Theory]

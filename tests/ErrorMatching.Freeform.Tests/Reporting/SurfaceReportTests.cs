@@ -150,8 +150,8 @@ public sealed class SurfaceReportTests
             Report.Job,
             [],
             Piece.Surface,
-            SurfaceEvaluation.Of(Piece.Job, Piece.Surface, [Piece.Over(0, (u, v) => 0.001 * (u - v))]),
-            SurfaceEvaluation.Of(Piece.Job, Piece.Surface, [Piece.With((u, v) => 0.015 + (0.02 * u))]));
+            SurfaceEvaluation.Evaluate(Piece.Job, Piece.Surface, [Piece.Over(0, (u, v) => 0.001 * (u - v))]),
+            SurfaceEvaluation.Evaluate(Piece.Job, Piece.Surface, [Piece.With((u, v) => 0.015 + (0.02 * u))]));
         using var json = JsonDocument.Parse(EvaluationReportJson.Write(report));
 
         Assert.Equal(70, json.RootElement.GetProperty("count").GetInt32());
@@ -229,8 +229,8 @@ public sealed class SurfaceReportTests
             Report.Job,
             [],
             Piece.Surface,
-            SurfaceEvaluation.Of(job, Piece.Surface, [Piece.Over(0, (u, v) => 0.001 * (u - v))]),
-            SurfaceEvaluation.Of(job, Piece.Surface, [Piece.With((u, v) => 0.015 + (0.02 * u))]))
+            SurfaceEvaluation.Evaluate(job, Piece.Surface, [Piece.Over(0, (u, v) => 0.001 * (u - v))]),
+            SurfaceEvaluation.Evaluate(job, Piece.Surface, [Piece.With((u, v) => 0.015 + (0.02 * u))]))
         {
             Tolerance = tolerance,
         };
@@ -257,7 +257,7 @@ public sealed class SurfaceReportTests
     public void Pieces_compensated_by_tool_radius_stand_beside_the_mirrored_ones()
     {
         SurfaceEvaluation Of(int piece, Func<double, double, double> error) =>
-            SurfaceEvaluation.Of(Piece.Job, Piece.Surface, [piece == 0 ? Piece.Over(0, error) : Piece.With(error)]);
+            SurfaceEvaluation.Evaluate(Piece.Job, Piece.Surface, [piece == 0 ? Piece.Over(0, error) : Piece.With(error)]);
         var report = new EvaluationReport(
             Report.Job,
             [],
@@ -287,7 +287,7 @@ public sealed class SurfaceReportTests
     [Fact]
     public void Pieces_of_two_stages_are_no_replicas()
     {
-        var evaluation = SurfaceEvaluation.Of(
+        var evaluation = SurfaceEvaluation.Evaluate(
             Piece.Job, Piece.Surface, [Piece.With((u, v) => 0.015 + (0.02 * u)), Piece.Over(0, (u, v) => 0.001 * (u - v))]);
         Assert.Empty(evaluation.Pieces[0].Warnings);
         Assert.Equal("stages-differ", Assert.Single(evaluation.Pieces[1].Warnings).Code);

@@ -8,7 +8,7 @@ public sealed class SplineApproximationTests
     [Fact]
     public void Polynomial_of_the_degree_needs_no_knots()
     {
-        var found = SplineApproximation.Of((u, v) => new(u, v, (1e-4 * u * u * v) - (0.01 * v * v) + (1e-5 * u * u * u)), U, V, 1e-9);
+        var found = SplineApproximation.Fit((u, v) => new(u, v, (1e-4 * u * u * v) - (0.01 * v * v) + (1e-5 * u * u * u)), U, V, 1e-9);
         Assert.Equal((4, 4), (found.Surface.CountU, found.Surface.CountV));
         Assert.InRange(found.ErrorMm, 0, 1e-11);
     }
@@ -24,7 +24,7 @@ public sealed class SplineApproximationTests
         }
 
         // Normals are once less smooth than the surface, so its knots count twice.
-        var found = SplineApproximation.Of(
+        var found = SplineApproximation.Fit(
             Offset, KnotVector.Clamped(3, [.. waves.KnotsU.Breaks], 2), KnotVector.Clamped(3, [.. waves.KnotsV.Breaks], 2), 1e-4);
         var worst = 0.0;
         for (var i = 0; i <= 150; i++)
@@ -45,7 +45,7 @@ public sealed class SplineApproximationTests
     public void Knots_come_only_where_they_are_needed()
     {
         // A step of 1 mm width in x, nothing along y.
-        var found = SplineApproximation.Of((u, v) => new(u, v, 0.1 * Math.Tanh(u - 20)), U, V, 1e-5);
+        var found = SplineApproximation.Fit((u, v) => new(u, v, 0.1 * Math.Tanh(u - 20)), U, V, 1e-5);
         Assert.Equal(4, found.Surface.CountV);
         var spans = found.Surface.KnotsU.Breaks;
         Assert.True(spans.Count(b => b is > 10 and < 30) > 3 * spans.Count(b => b is > 45 and < 65), string.Join(' ', spans));
@@ -55,10 +55,10 @@ public sealed class SplineApproximationTests
     public void Kink_that_is_named_is_met_and_one_that_is_not_says_its_error()
     {
         static Point3 Roof(double u, double v) => new(u, v, 0.5 * Math.Abs(u - 30.1));
-        var named = SplineApproximation.Of(Roof, KnotVector.Clamped(3, [0, 30.1, 75], 3), V, 1e-6);
+        var named = SplineApproximation.Fit(Roof, KnotVector.Clamped(3, [0, 30.1, 75], 3), V, 1e-6);
         Assert.InRange(named.ErrorMm, 0, 1e-12);
         Assert.Equal(7, named.Surface.CountU);
-        var unnamed = SplineApproximation.Of(Roof, U, V, 1e-6);
+        var unnamed = SplineApproximation.Fit(Roof, U, V, 1e-6);
         Assert.True(unnamed.ErrorMm > 1e-6);
     }
 
@@ -80,8 +80,8 @@ public sealed class SplineApproximationTests
     [Fact]
     public void What_cannot_be_approximated_is_refused()
     {
-        Refused.With(GeometryError.NotFinite, () => SplineApproximation.Of((u, v) => new(u, v, 1 / (u - 75)), U, V, 1e-6));
-        Refused.With(GeometryError.NotFinite, () => SplineApproximation.Of((u, v) => new(u, v, 0), U, V, 0));
-        Refused.With(GeometryError.BadKnots, () => SplineApproximation.Of((u, v) => new(u, v, 0), new(1, [0, 0, 1, 1, 2, 2]), V, 1e-6));
+        Refused.With(GeometryError.NotFinite, () => SplineApproximation.Fit((u, v) => new(u, v, 1 / (u - 75)), U, V, 1e-6));
+        Refused.With(GeometryError.NotFinite, () => SplineApproximation.Fit((u, v) => new(u, v, 0), U, V, 0));
+        Refused.With(GeometryError.BadKnots, () => SplineApproximation.Fit((u, v) => new(u, v, 0), new(1, [0, 0, 1, 1, 2, 2]), V, 1e-6));
     }
 }

@@ -52,7 +52,7 @@ public sealed class SetupFilesTests
         Choose(seat, "dry-run-file", Part);
         seat.Seat.WaitFor(() => seat.System.Detail is not null, "Nothing is shown.");
         Assert.Equal("part.csv", seat.TextOf("detail-title"));
-        var console = MatingRun.Of(
+        var console = MatingRun.Run(
             new(seat.JobFile), new() { Part = new("part.csv", File.ReadAllBytes(Part)) }, TestContext.Current.CancellationToken).Result!;
         Assert.Equal(
             StoredReport.Read(console.ReportJson()).Match!.KeyPoints.Select(p => p.Correction),

@@ -115,7 +115,7 @@ public sealed partial class ValidationTests
     private static DraftCheck CheckSample(string sample, Func<MatingDraft, MatingDraft> mistake)
     {
         var file = Repository.PathTo("samples", sample, "job.json");
-        return MatingDraftCheck.Of(mistake(MatingDraftFiles.Open(file)), file);
+        return MatingDraftCheck.Run(mistake(MatingDraftFiles.Open(file)), file);
     }
 
     [Fact]
@@ -181,7 +181,7 @@ public sealed partial class ValidationTests
     private static byte[] Compensated()
     {
         var sample = Repository.PathTo("samples", "complex-mating");
-        return MatingRun.Of(new(Path.Combine(sample, "job.json")), new(), CancellationToken.None).Result!.Program.ToArray();
+        return MatingRun.Run(new(Path.Combine(sample, "job.json")), new(), CancellationToken.None).Result!.Program.ToArray();
     }
 
     private static MatingDraft X(MatingDraft draft, string x) =>

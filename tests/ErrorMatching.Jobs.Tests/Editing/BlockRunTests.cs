@@ -31,7 +31,7 @@ public sealed class BlockRunTests
         Assert.NotEqual(original, File.ReadAllText(missing));
         foreach (var job in new[] { missing, empty, shop["job.json"] })
         {
-            var found = BlockRun.Of(job, CancellationToken.None).Result!;
+            var found = BlockRun.Find(job, CancellationToken.None).Result!;
             Assert.Equal(blocks, found.Features.Select(f => Assert.Single(f.Blocks)));
             Assert.Empty(found.Refusals);
             Assert.Equal(job == shop["job.json"], found.IsInJob(0));
@@ -52,7 +52,7 @@ public sealed class BlockRunTests
                 StringComparison.Ordinal)
             .Replace("[\"N130..N160\"]", "[\"N130..N150\"]", StringComparison.Ordinal);
         text = text.Replace("// L1, \"toleranceMm\"", "// L1\n, \"toleranceMm\"", StringComparison.Ordinal);
-        var found = BlockRun.Of(
+        var found = BlockRun.Find(
             shop.File("mine.json", text.Replace("\n", "\r\n", StringComparison.Ordinal)), CancellationToken.None).Result!;
 
         // The expression names N120 alone, which is what was found; N130..N150 is short of a block.
@@ -68,7 +68,7 @@ public sealed class BlockRunTests
         using var shop = Shop("complex-mating");
         Directory.CreateDirectory(shop["elsewhere"]);
         var target = shop[Path.Combine("elsewhere", "job.json")];
-        var found = BlockRun.Of(
+        var found = BlockRun.Find(
             shop.File(
                 "mine.json", File.ReadAllText(shop["job.json"]).Replace("\"part.csv\"", "\"/abs/part.csv\"", StringComparison.Ordinal)),
             CancellationToken.None).Result!;
@@ -83,7 +83,7 @@ public sealed class BlockRunTests
     public void A_feature_without_blocks_says_why_and_makes_no_job()
     {
         using var shop = Shop("complex-mating");
-        var found = BlockRun.Of(
+        var found = BlockRun.Find(
             shop.File(
                 "mine.json",
                 File.ReadAllText(shop["job.json"]).Replace("\"toolDiameterMm\": 6", "\"toolDiameterMm\": 10", StringComparison.Ordinal)),
@@ -108,7 +108,7 @@ public sealed class BlockRunTests
             shop["counterpart.nc"],
             File.ReadAllText(shop["counterpart.nc"]).Replace(
                 "N120 X-34.995 Y59.757", "X-34.995 Y59.757\nX-34.995 Y59.757", StringComparison.Ordinal));
-        var found = BlockRun.Of(shop["job.json"], CancellationToken.None).Result!;
+        var found = BlockRun.Find(shop["job.json"], CancellationToken.None).Result!;
         Assert.Empty(found.Refusals);
         Assert.Equal(["L19"], found.Features[0].Blocks);
         var counterpart = MatingJob.Parse(found.JobAt(shop["new.json"]), shop["new.json"]).Counterpart;
@@ -117,7 +117,7 @@ public sealed class BlockRunTests
         // After an edit of the program they are found in other lines, with another hash.
         File.WriteAllBytes(shop["new.json"], found.JobAt(shop["new.json"]));
         File.WriteAllText(shop["counterpart.nc"], "(EDITED)\n" + File.ReadAllText(shop["counterpart.nc"]));
-        var again = BlockRun.Of(shop["new.json"], CancellationToken.None).Result!;
+        var again = BlockRun.Find(shop["new.json"], CancellationToken.None).Result!;
         Assert.Empty(again.Refusals);
         Assert.Equal(["L20"], again.Features[0].Blocks);
         Assert.False(again.IsInJob(0));
@@ -140,7 +140,7 @@ public sealed class BlockRunTests
               "features": [{ "name": "L1", "kind": "line", "points": ["1", "2"], "toleranceMm": [0, 0] }],
               "counterpart": { "program": "counterpart.nc", "dialect": "fanuc", "toolDiameterMm": 6 } }
             """);
-        var refusal = Assert.Single(BlockRun.Of(job, CancellationToken.None).Result!.Refusals);
+        var refusal = Assert.Single(BlockRun.Find(job, CancellationToken.None).Result!.Refusals);
         Assert.Equal(("boundary-not-found", "N100", 7), (refusal.Code, refusal.Place.Block, refusal.Place.Line));
         Assert.Contains("by a jump or a call", refusal.Message, StringComparison.Ordinal);
     }
@@ -165,12 +165,12 @@ public sealed class BlockRunTests
         string cut, int up, params string[] blocks)
     {
         using var shop = Corner(cut, $"point,x_mm,y_mm\n1,0,0\n2,35,0\n3,50,{up * 15}\n4,50,{up * 50}\n");
-        var found = BlockRun.Of(shop["job.json"], CancellationToken.None).Result!;
+        var found = BlockRun.Find(shop["job.json"], CancellationToken.None).Result!;
         Assert.Empty(found.Refusals);
         Assert.Equal(blocks, found.Features.Select(f => Assert.Single(f.Blocks)));
         var job = shop.File("with-blocks.json", Encoding.UTF8.GetString(found.JobAt(shop["with-blocks.json"])));
         shop.File("part.csv", $"point,x_mm,y_mm\n1,0,0.1\n2,35,0.1\n3,50.05,{up * 15}\n4,50.05,{up * 50}\n");
-        var matched = MatingRun.Of(new(job), new(), CancellationToken.None);
+        var matched = MatingRun.Run(new(job), new(), CancellationToken.None);
         Assert.True(matched.Result is not null, string.Join('\n', matched.Refusals.Select(r => r.Message)));
         Assert.True(matched.Result.Match.Proof.Holds);
         Assert.Equal([Decision.Compensated, Decision.Compensated], matched.Result.Match.Decision.Features.Select(f => f.Decision));
@@ -181,10 +181,10 @@ public sealed class BlockRunTests
     {
         using var shop = Corner(Round, "point,x_mm,y_mm\n1,0,0\n2,35,0\n3,50,-15\n4,50,-50\n");
         shop.File("part.csv", "point,x_mm,y_mm\n1,0,0.1\n2,35,0.1\n3,50.05,-15\n4,50.05,-50\n");
-        var found = BlockRun.Of(shop["job.json"], CancellationToken.None).Result!;
+        var found = BlockRun.Find(shop["job.json"], CancellationToken.None).Result!;
         var text = Encoding.UTF8.GetString(found.JobAt(shop["job.json"]));
         var wide = shop.File("wide.json", text.Replace("\"N50\"", "\"N50..N60\"", StringComparison.Ordinal));
-        var refusal = Assert.Single(MatingRun.Of(new(wide), new(), CancellationToken.None).Refusals);
+        var refusal = Assert.Single(MatingRun.Run(new(wide), new(), CancellationToken.None).Refusals);
         Assert.Equal(("no-intersection", "N70"), (refusal.Code, refusal.Place.Block));
         Assert.Contains("Where the arc N60 rounds a corner, do not name it", refusal.Message, StringComparison.Ordinal);
     }
@@ -194,7 +194,7 @@ public sealed class BlockRunTests
     {
         // About (40, -10) with a radius of 10 mm, 50 degrees around the corner.
         using var beyond = Corner(Round, "point,x_mm,y_mm\n1,0,0\n2,47.660,-3.572\n3,50,-15\n4,50,-50\n");
-        var found = BlockRun.Of(beyond["job.json"], CancellationToken.None).Result!;
+        var found = BlockRun.Find(beyond["job.json"], CancellationToken.None).Result!;
         var refusal = Assert.Single(found.Refusals);
         Assert.Equal(("point-on-corner", "N60", 5), (refusal.Code, refusal.Place.Block, refusal.Place.Line));
         Assert.StartsWith("L1, N60: the point 2 lies at this arc, a rounded corner", refusal.Message, StringComparison.Ordinal);
@@ -202,7 +202,7 @@ public sealed class BlockRunTests
 
         // What a coordinate is rounded by, behind the place where the arc begins.
         using var at = Corner(Round, "point,x_mm,y_mm\n1,0,0\n2,40.0004,0\n3,50,-15\n4,50,-50\n");
-        var both = BlockRun.Of(at["job.json"], CancellationToken.None).Result!.Features;
+        var both = BlockRun.Find(at["job.json"], CancellationToken.None).Result!.Features;
         Assert.Equal(["N50", "N70"], both.Select(f => Assert.Single(f.Blocks)));
     }
 
@@ -217,7 +217,7 @@ public sealed class BlockRunTests
             + "O2\nN50 G91 G1 X50. F300\nN60 G90 M99\n%\n");
         var text = File.ReadAllText(shop["job.json"]).Replace(L2, "", StringComparison.Ordinal);
         var job = shop.File("one.json", text.Replace("[\"1\", \"2\"]", "[\"1..4\"]", StringComparison.Ordinal));
-        var found = BlockRun.Of(job, CancellationToken.None).Result!;
+        var found = BlockRun.Find(job, CancellationToken.None).Result!;
         var refusal = Assert.Single(found.Refusals);
         Assert.Equal(("point-off-path", "N50"), (refusal.Code, refusal.Place.Block));
         Assert.EndsWith("A match refuses N50: name the blocks yourself.", refusal.Message, StringComparison.Ordinal);
@@ -230,7 +230,7 @@ public sealed class BlockRunTests
         using var shop = Shop("complex-mating");
         File.WriteAllText(
             shop["counterpart.nc"], File.ReadAllText(shop["counterpart.nc"]).Replace("N90 Z2.", "N90 M98 P4711", StringComparison.Ordinal));
-        var outcome = BlockRun.Of(shop["job.json"], CancellationToken.None);
+        var outcome = BlockRun.Find(shop["job.json"], CancellationToken.None);
         Assert.Null(outcome.Result);
         Assert.Equal(shop["counterpart.nc"], Assert.Single(outcome.Refusals).Place.File);
     }
@@ -243,7 +243,7 @@ public sealed class BlockRunTests
             shop["theoretical.csv"], File.ReadAllText(shop["theoretical.csv"]).Replace("\n2,", "\n22,", StringComparison.Ordinal));
         Assert.Equal(
             "missing-point",
-            Assert.Throws<InputException>(() => BlockRun.Of(shop["job.json"], CancellationToken.None)).Code);
+            Assert.Throws<InputException>(() => BlockRun.Find(shop["job.json"], CancellationToken.None)).Code);
     }
 
     private static TemporaryFolder Corner(string cut, string theoretical)

@@ -94,7 +94,7 @@ public sealed class MatingDraftCheckTests
     public void A_mistake_is_told_at_its_field(string name)
     {
         var (mistake, field, code) = Mistakes[name];
-        var check = MatingDraftCheck.Of(mistake(MatingDraftFiles.Open(File)), File);
+        var check = MatingDraftCheck.Run(mistake(MatingDraftFiles.Open(File)), File);
         Assert.Contains((field, code), check.Problems.Select(p => (p.Field, p.Code)));
         Assert.All(check.Problems, p => Assert.NotEmpty(p.Message));
     }
@@ -109,7 +109,7 @@ public sealed class MatingDraftCheckTests
         foreach (var one in new[] { draft, draft with { Name = "", Program = Own } })
         {
             Assert.Contains(
-                ("$.features[1].blocks", code, found), MatingDraftCheck.Of(one, File).Problems.Select(p => (p.Field, p.Code, p.Found)));
+                ("$.features[1].blocks", code, found), MatingDraftCheck.Run(one, File).Problems.Select(p => (p.Field, p.Code, p.Found)));
         }
     }
 
@@ -155,7 +155,7 @@ public sealed class MatingDraftCheckTests
         var draft = MatingDraftFiles.Open(File)
             .WithFeature(0, f => f with { Blocks = "N130" })
             .WithFeature(1, f => f with { Blocks = "N120" });
-        var problem = Assert.Single(MatingDraftCheck.Of(draft, File).Problems);
+        var problem = Assert.Single(MatingDraftCheck.Run(draft, File).Problems);
         Assert.Equal(("point-off-path", "1"), (problem.Code, problem.Found));
 
         // From (-31.950, 76.008) to the beginning of N130 at (-34.995, 59.757).
@@ -175,7 +175,7 @@ public sealed class MatingDraftCheckTests
     {
         var draft = MatingDraftFiles.Open(File).Emptied() with { Name = "a" };
         draft = draft with { Features = [FeatureDraft.New(LineKind.Instance, "L1", draft) with { Blocks = "abc", Lower = "x" }] };
-        var problems = MatingDraftCheck.Of(draft, File).Problems;
+        var problems = MatingDraftCheck.Run(draft, File).Problems;
         Assert.Equal(
             ["$.features[0].blocks[0]", "$.features[0].toleranceMm[0]"],
             problems.Where(p => !p.IsMissing).Select(p => p.Field).Order(StringComparer.Ordinal));
@@ -194,7 +194,7 @@ public sealed class MatingDraftCheckTests
     {
         var draft = MatingDraftFiles.Open(File).WithFeature(1, f => f with { Lower = lower, Upper = upper });
         draft = draft with { Compensation = draft.Compensation with { Limit = stop } };
-        var problem = MatingDraftCheck.Of(draft, File).Problems.SingleOrDefault();
+        var problem = MatingDraftCheck.Run(draft, File).Problems.SingleOrDefault();
         Assert.Equal((field, field is null ? null : "limit-implausible"), (problem?.Field, problem?.Code));
         if (problem is not null)
         {
@@ -210,7 +210,7 @@ public sealed class MatingDraftCheckTests
     [InlineData(2, "N170..N1210", "N1210")]
     public void Blocks_that_lead_in_or_out_are_asked_about(int feature, string blocks, string? asked)
     {
-        var check = MatingDraftCheck.Of(MatingDraftFiles.Open(File).WithFeature(feature, f => f with { Blocks = blocks }), File);
+        var check = MatingDraftCheck.Run(MatingDraftFiles.Open(File).WithFeature(feature, f => f with { Blocks = blocks }), File);
         Assert.Empty(check.Problems);
         Assert.Equal(
             asked is null ? [] : [(DraftPaths.Feature(feature, "blocks"), asked)],
@@ -223,7 +223,7 @@ public sealed class MatingDraftCheckTests
     public void Nothing_is_asked_about_a_job_that_is_meant_so_but_its_points_on_corners(string sample, string corners)
     {
         var job = Repository.PathTo("samples", sample, "job.json");
-        var check = MatingDraftCheck.Of(MatingDraftFiles.Open(job), job);
+        var check = MatingDraftCheck.Run(MatingDraftFiles.Open(job), job);
         Assert.Equal((0, corners), (check.Problems.Count, string.Join(", ", check.Doubts.Select(d => d.Found))));
         Assert.All(check.Doubts, d => Assert.Equal("point-on-corner", d.Code));
     }
@@ -231,8 +231,8 @@ public sealed class MatingDraftCheckTests
     [Fact]
     public void Before_a_job_is_saved_it_is_asked_about_the_same_points_on_corners_that_its_match_warns_of()
     {
-        var check = MatingDraftCheck.Of(MatingDraftFiles.Open(File), File);
-        var warned = MatingRun.Of(new(File), new(), CancellationToken.None).Result!.Report.Warnings
+        var check = MatingDraftCheck.Run(MatingDraftFiles.Open(File), File);
+        var warned = MatingRun.Run(new(File), new(), CancellationToken.None).Result!.Report.Warnings
             .Where(w => w.Code == "point-on-corner")
             .Select(w => w.Values[0]);
         Assert.Equal(warned, check.Doubts.Select(d => d.Found));
@@ -250,7 +250,7 @@ public sealed class MatingDraftCheckTests
     public void A_point_as_far_from_the_corner_as_is_advised_is_asked_about_no_more(string y, string? asked)
     {
         // Point 2, moved along L1 away from the corner: by 1.1 mm, and by the 1.5 mm.
-        var check = MatingDraftCheck.Of(
+        var check = MatingDraftCheck.Run(
             MatingDraftFiles.Open(File).WithFeature(0, f => f with { Flanks = [[f.Flanks[0][0], f.Flanks[0][1] with { Y = y }]] }), File);
         Assert.Empty(check.Problems);
         Assert.Equal(asked, check.Doubts.SingleOrDefault(d => d.Found == "2")?.Amount);
@@ -260,13 +260,13 @@ public sealed class MatingDraftCheckTests
     public void A_measured_counterpart_that_is_not_there_is_asked_about_and_saved()
     {
         var draft = MatingDraftFiles.Open(File);
-        var check = MatingDraftCheck.Of(draft with { Counterpart = draft.Counterpart with { Measured = "nope.csv" } }, File);
+        var check = MatingDraftCheck.Run(draft with { Counterpart = draft.Counterpart with { Measured = "nope.csv" } }, File);
         Assert.Empty(check.Problems);
         Assert.Equal([("$.counterpart.measured", "nope.csv")], Told(check));
 
         // Without the key nothing is looked for; in feedback the gauge gives it.
-        Assert.Empty(Told(MatingDraftCheck.Of(draft with { Counterpart = draft.Counterpart with { Measured = "" } }, File)));
-        Assert.Empty(Told(MatingDraftCheck.Of(
+        Assert.Empty(Told(MatingDraftCheck.Run(draft with { Counterpart = draft.Counterpart with { Measured = "" } }, File)));
+        Assert.Empty(Told(MatingDraftCheck.Run(
             draft with
             {
                 Counterpart = draft.Counterpart with { Measured = "nope.csv" },
@@ -284,7 +284,7 @@ public sealed class MatingDraftCheckTests
     {
         var draft = new MatingDraft();
         draft = draft with { Features = [FeatureDraft.New(TriangleKind.Instance, "T", draft)] };
-        var told = MatingDraftCheck.Of(draft, File).Problems
+        var told = MatingDraftCheck.Run(draft, File).Problems
             .Select(p => p.Field)
             .Where(f => f.Contains('/', StringComparison.Ordinal))
             .ToArray();
@@ -297,7 +297,7 @@ public sealed class MatingDraftCheckTests
     public void A_decimal_sign_at_an_end_and_a_plus_sign_are_numbers()
     {
         var draft = MatingDraftFiles.Open(File).WithFeature(0, f => f with { Lower = "-.05", Upper = "+0.05" });
-        var check = MatingDraftCheck.Of(draft with { Counterpart = draft.Counterpart with { ToolDiameter = "06." } }, File);
+        var check = MatingDraftCheck.Run(draft with { Counterpart = draft.Counterpart with { ToolDiameter = "06." } }, File);
         Assert.Empty(check.Problems);
         Assert.Equal(
             (-0.05, 0.05, 6.0),

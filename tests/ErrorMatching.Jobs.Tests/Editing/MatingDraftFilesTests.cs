@@ -15,7 +15,7 @@ public sealed class MatingDraftFilesTests
         var draft = RandomDraft.Of(seed);
         var (job, theoretical) = (MatingDraftFiles.Job(draft), MatingDraftFiles.Theoretical(draft));
         Assert.Equal(
-            "", string.Join('\n', MatingDraftCheck.Of(draft, "job.json").Problems.Where(p => p.Field != MatingDraftCheck.Program)));
+            "", string.Join('\n', MatingDraftCheck.Run(draft, "job.json").Problems.Where(p => p.Field != MatingDraftCheck.Program)));
         Assert.Equal(
             Encoding.UTF8.GetString(draft.ToJson()), Encoding.UTF8.GetString(MatingDraftFiles.Read(job, "job.json", theoretical).ToJson()));
     }).QuickCheckThrowOnFailure();
@@ -36,7 +36,7 @@ public sealed class MatingDraftFilesTests
         var job = folder["job.json"];
         var before = Report(job);
         var draft = MatingDraftFiles.Open(job);
-        Assert.Empty(MatingDraftCheck.Of(draft, job).Problems);
+        Assert.Empty(MatingDraftCheck.Run(draft, job).Problems);
         File.WriteAllBytes(job, MatingDraftFiles.Job(draft));
         File.WriteAllBytes(folder["theoretical.csv"], MatingDraftFiles.Theoretical(draft));
         Assert.Equal(before, Report(job));
@@ -83,7 +83,7 @@ public sealed class MatingDraftFilesTests
     // Everything but what names the job's own bytes.
     private static string Report(string job)
     {
-        var outcome = MatingRun.Of(new(job), new(), TestContext.Current.CancellationToken);
+        var outcome = MatingRun.Run(new(job), new(), TestContext.Current.CancellationToken);
         Assert.NotNull(outcome.Result);
         var report = JsonNode.Parse(outcome.Result.ReportJson())!.AsObject();
         report["job"]!.AsObject().Remove("sha256");

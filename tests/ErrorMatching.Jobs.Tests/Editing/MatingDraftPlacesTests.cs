@@ -17,7 +17,7 @@ public sealed class MatingDraftPlacesTests
             Name = ""
         };
         draft = draft.WithFeature(0, f => f with { Blocks = "", Lower = "" });
-        var places = MatingDraftPlaces.Of(draft);
+        var places = MatingDraftPlaces.Find(draft);
         Assert.Equal(draft.Features.SelectMany(f => f.Points.Select(p => (f.Name, p.Label))), places.Select(p => (p.Feature, p.Label)));
         Assert.All(places, p => Assert.Equal(CoordinatePlane.XY, p.Plane));
 
@@ -30,10 +30,10 @@ public sealed class MatingDraftPlacesTests
     {
         var draft = MatingDraftFiles.Open(Repository.PathTo("samples", "complex-mating", "job.json"));
         var missing = draft.WithFeature(0, f => f with { Flanks = [[f.Flanks[0][0] with { Y = "" }, f.Flanks[0][1]]] });
-        Assert.Equal(["2", "2a"], MatingDraftPlaces.Of(missing).Take(2).Select(p => p.Label));
-        Assert.Empty(MatingDraftPlaces.Of(draft with { Counterpart = draft.Counterpart with { Rotate = "x" } }));
-        Assert.Empty(MatingDraftPlaces.Of(draft with { Counterpart = draft.Counterpart with { TranslateX = "5", TranslateY = "" } }));
-        Assert.Empty(MatingDraftPlaces.Of(new()));
+        Assert.Equal(["2", "2a"], MatingDraftPlaces.Find(missing).Take(2).Select(p => p.Label));
+        Assert.Empty(MatingDraftPlaces.Find(draft with { Counterpart = draft.Counterpart with { Rotate = "x" } }));
+        Assert.Empty(MatingDraftPlaces.Find(draft with { Counterpart = draft.Counterpart with { TranslateX = "5", TranslateY = "" } }));
+        Assert.Empty(MatingDraftPlaces.Find(new()));
     }
 
     [Fact]
@@ -44,7 +44,7 @@ public sealed class MatingDraftPlacesTests
         {
             Features = [draft.Features[0] with { Plane = "ZX", Flanks = [[new("1", "1", "2", "3"), new("2", "1", "2")]] }]
         };
-        var place = Assert.Single(MatingDraftPlaces.Of(turned));
+        var place = Assert.Single(MatingDraftPlaces.Find(turned));
         Assert.Equal((CoordinatePlane.ZX, new Point2(3, 1)), (place.Plane, place.At));
     }
 }

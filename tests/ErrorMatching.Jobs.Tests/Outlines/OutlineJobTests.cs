@@ -230,7 +230,7 @@ public sealed class OutlineJobTests : IDisposable
         var slashed = Program.Replace("N50 ", "/N45 X99.\nN50 ", StringComparison.Ordinal);
         Assert.NotEqual(6, Make(Polygon(Outline), slashed).Result?.Features.Count);
         var skipping = NcDialects.Named("fanuc").With(BlockSkip.On);
-        var made = OutlineJob.Of(Request(null, null, null) with { Control = skipping }, TestContext.Current.CancellationToken);
+        var made = OutlineJob.Make(Request(null, null, null) with { Control = skipping }, TestContext.Current.CancellationToken);
         Assert.Equal(6, made.Result!.Features.Count);
     }
 
@@ -263,7 +263,7 @@ public sealed class OutlineJobTests : IDisposable
         var (dxf, nc) = (Path.Combine(_folder, "outline.dxf"), Path.Combine(_folder, "program.nc"));
         File.WriteAllText(dxf, drawing);
         File.WriteAllText(nc, program);
-        return OutlineJob.Of(Request(tool, unit, layer), TestContext.Current.CancellationToken);
+        return OutlineJob.Make(Request(tool, unit, layer), TestContext.Current.CancellationToken);
     }
 
     private OutlineRequest Request(double? tool, double? unit, string? layer) =>

@@ -42,7 +42,7 @@ public sealed class StepDrawingTests
         Near(new(5 / Math.Sqrt(2), 5 / Math.Sqrt(2)), drawn.At(0.5));
         Near(isClockwise ? new(0, 5) : new(5, 0), drawn.From);
         Assert.Equal(isClockwise ? -Math.PI / 2 : Math.PI / 2, drawn.Sweep, Accuracy);
-        Assert.True(Assert.Single(OutlineChain.Of(drawing.Curves)).IsClosed);
+        Assert.True(Assert.Single(OutlineChain.Join(drawing.Curves)).IsClosed);
     }
 
     [Theory]
@@ -360,7 +360,7 @@ public sealed class StepDrawingTests
             ]);
         if (isClosed)
         {
-            Assert.True(Assert.Single(OutlineChain.Of(sample.Read().Curves)).IsClosed);
+            Assert.True(Assert.Single(OutlineChain.Join(sample.Read().Curves)).IsClosed);
         }
         else
         {
@@ -454,7 +454,7 @@ public sealed class StepDrawingTests
                 var drawing = StepDrawing.Read(bytes, "part.stp", null);
                 Assert.NotEmpty(drawing.Curves);
                 Assert.All(drawing.Curves, c => Assert.True(c.From.IsFinite && c.To.IsFinite && c.LengthMm > 0));
-                Assert.All(OutlineChain.Of(drawing.Curves), c => Assert.NotEmpty(c.Curves));
+                Assert.All(OutlineChain.Join(drawing.Curves), c => Assert.NotEmpty(c.Curves));
                 read++;
             }
             catch (InputException e)

@@ -109,7 +109,7 @@ public sealed class StepJobTests : IDisposable
     {
         // In DXF, arcs are all counterclockwise.
         DrawnCurve[] drawn = [.. Drawing.Read(Dxf, null).Curves.Where(c => c.Layer == "OUTLINE")];
-        var open = Assert.Single(OutlineChain.Of(drawn)).Curves;
+        var open = Assert.Single(OutlineChain.Join(drawn)).Curves;
         Point2[] below = [open[^1].To, new(open[^1].To.X, -60), new(open[0].From.X, -60), open[0].From];
         return [.. open, .. below.Zip(below.Skip(1), (a, b) => new DrawnLine("OUTLINE", "", a, b))];
     }
@@ -130,7 +130,7 @@ public sealed class StepJobTests : IDisposable
     private OutlineJob Job(string drawing, string? layer = null, double? unitMm = null) =>
         Assert.IsType<OutlineJob>(Make(drawing, layer, unitMm).Result);
 
-    private Outcome<OutlineJob> Make(string drawing, string? layer, double? unitMm = null, string? program = null) => OutlineJob.Of(
+    private Outcome<OutlineJob> Make(string drawing, string? layer, double? unitMm = null, string? program = null) => OutlineJob.Make(
         new(Path.Combine(_folder, "job.json"), drawing, program ?? Program, "fanuc") { Layer = layer, UnitMm = unitMm },
         TestContext.Current.CancellationToken);
 

@@ -22,7 +22,7 @@ public sealed class DrawnLoopTests
             File.Copy(Repository.PathTo("samples", "dovetail", file), folder[file]);
         }
 
-        var drawn = OutlineJob.Of(
+        var drawn = OutlineJob.Make(
             new(folder["job.json"], folder["outline.dxf"], folder["counterpart.nc"], "fanuc") { Layer = "OUTLINE" }, Token).Result!;
         File.WriteAllBytes(folder["job.json"], drawn.Job.ToArray());
         File.WriteAllBytes(folder["theoretical.csv"], drawn.Theoretical.ToArray());
@@ -33,10 +33,10 @@ public sealed class DrawnLoopTests
             File.ReadAllText(folder["job.json"]).Replace(
                 "\"uncertaintyMm\": 0.005", "\"uncertaintyMm\": 0.002, \"stylusDiameterMm\": 3", StringComparison.Ordinal));
         Directory.CreateDirectory(folder["plan"]);
-        var planned = PlannedJob.Of(folder["job.json"], folder["plan"], null, null, Token).Result!;
+        var planned = PlannedJob.Make(folder["job.json"], folder["plan"], null, null, Token).Result!;
         File.WriteAllBytes(folder["plan/plan.csv"], planned.Table.ToArray());
         File.WriteAllBytes(folder["plan/job-planned.json"], planned.Document.ToArray());
-        var probed = ProbedJob.Of(
+        var probed = ProbedJob.Make(
             folder["plan/job-planned.json"], new() { TouchZ = -5, ClearanceZ = 25, ToolNumber = 9 }, Token).Result!;
 
         var material = DovetailGroove.Polygon();
@@ -44,7 +44,7 @@ public sealed class DrawnLoopTests
         part.Run(PathOf(probed.Program.Bytes), 1);
         Assert.Empty(part.Collisions);
         File.WriteAllText(folder["probe.log"], part.Log(probed.Program.Moves.Plan, 0.001));
-        var run = MatingRun.Of(new JobFiles(folder["plan/job-planned.json"]), new() { Part = new(folder["probe.log"]) }, Token);
+        var run = MatingRun.Run(new JobFiles(folder["plan/job-planned.json"]), new() { Part = new(folder["probe.log"]) }, Token);
         Assert.True(run.IsUsable, run.Refusal?.ToString());
         var report = run.Result.Report;
         Assert.True(report.Proof.Holds);

@@ -26,7 +26,7 @@ public sealed class PlanComparisonTests(ITestOutputHelper output)
             using var folder = new TemporaryFolder();
             var outline = Outline(folder, seed);
             Directory.CreateDirectory(folder["plan"]);
-            var planned = PlannedJob.Of(folder["job.json"], folder["plan"], Ball, null, Token).Result!;
+            var planned = PlannedJob.Make(folder["job.json"], folder["plan"], Ball, null, Token).Result!;
             File.WriteAllBytes(folder["plan/plan.csv"], planned.Table.ToArray());
             File.WriteAllBytes(folder["plan/job-planned.json"], planned.Document.ToArray());
             var bound = Bound(folder["plan/job-planned.json"], outline, seed);
@@ -219,7 +219,7 @@ public sealed class PlanComparisonTests(ITestOutputHelper output)
 
             var measured = Path.Combine(Path.GetDirectoryName(job)!, "measured.csv");
             File.WriteAllText(measured, text.ToString());
-            var report = MatingRun.Of(new JobFiles(job), new() { Part = new(measured) }, Token).Result!.Report;
+            var report = MatingRun.Run(new JobFiles(job), new() { Part = new(measured) }, Token).Result!.Report;
             bounds.Add(report.Features.Max(f => f.WorstBetween is { IsKnown: true } w ? w.Interval95Mm : 1));
         }
 

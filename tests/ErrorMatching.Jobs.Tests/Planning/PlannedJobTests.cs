@@ -109,7 +109,7 @@ public sealed class PlannedJobTests
         File.WriteAllText(
             folder["plan/job-planned.json"],
             job.Replace("\"uncertaintyMm\": 0.002", "\"uncertaintyMm\": 0.002, \"stylusDiameterMm\": 3", StringComparison.Ordinal));
-        var probed = ProbedJob.Of(
+        var probed = ProbedJob.Make(
             folder["plan/job-planned.json"], new() { TouchZ = -5, ClearanceZ = 25, ToolNumber = 9 }, Token).Result!;
         var path = NcInterpreter.Run(NcProgram.Read(probed.Program.Bytes, probed.Program.Dialect.Syntax), probed.Program.Dialect);
         var part = new VirtualPart(DovetailGroove.Polygon(), Ball);
@@ -119,7 +119,7 @@ public sealed class PlannedJobTests
         for (var seed = 0; seed < 5; seed++)
         {
             File.WriteAllText(folder["probe.log"], part.Log(probed.Program.Moves.Plan, 0.002, seed));
-            var run = MatingRun.Of(new JobFiles(folder["plan/job-planned.json"]), new() { Part = new(folder["probe.log"]) }, Token);
+            var run = MatingRun.Run(new JobFiles(folder["plan/job-planned.json"]), new() { Part = new(folder["probe.log"]) }, Token);
             Assert.True(run.IsUsable, run.Refusal?.ToString());
             var report = run.Result.Report;
             Assert.All(report.KeyPoints, p => Assert.Equal(DovetailGroove.DisplacedMm[p.Feature], DovetailGroove.OffMm(p), 5 * 0.002));
@@ -155,17 +155,17 @@ public sealed class PlannedJobTests
     {
         using var folder = Copied("dovetail");
         Assert.All([60.0, 400], ball => Assert.Equal(
-            "out-of-reach", PlannedJob.Of(folder["job.json"], folder["plan"], ball, null, Token).Refusal!.Code));
+            "out-of-reach", PlannedJob.Make(folder["job.json"], folder["plan"], ball, null, Token).Refusal!.Code));
         File.WriteAllText(
             folder["job.json"],
             File.ReadAllText(folder["job.json"]).Replace(
                 "\"name\": \"T2\"", "\"name\": \"T2\", \"plane\": \"ZX\"", StringComparison.Ordinal));
-        Assert.Equal("plan-plane", PlannedJob.Of(folder["job.json"], folder["plan"], 3, null, Token).Refusal!.Code);
+        Assert.Equal("plan-plane", PlannedJob.Make(folder["job.json"], folder["plan"], 3, null, Token).Refusal!.Code);
     }
 
     private static PlannedJob Planned(TemporaryFolder folder, double? within)
     {
-        var outcome = PlannedJob.Of(folder["job.json"], folder["plan"], Ball, within, Token);
+        var outcome = PlannedJob.Make(folder["job.json"], folder["plan"], Ball, within, Token);
         Assert.True(outcome.IsUsable, outcome.Refusal?.ToString());
         return outcome.Result!;
     }

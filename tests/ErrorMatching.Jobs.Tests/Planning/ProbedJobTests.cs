@@ -129,7 +129,7 @@ public sealed partial class ProbedJobTests
                     "\"stylusDiameterMm\": 3",
                     FormattableString.Invariant($"\"stylusDiameterMm\": {wish.StylusDiameterMm}"),
                     StringComparison.Ordinal));
-            var refused = ProbedJob.Of(
+            var refused = ProbedJob.Make(
                 folder["job.json"], wish with { OfCounterpart = true }, TestContext.Current.CancellationToken).Refusals;
             Assert.NotEmpty(refused);
             Assert.All(refused, r => Assert.Equal("out-of-reach", r.Code));
@@ -151,7 +151,7 @@ public sealed partial class ProbedJobTests
         Assert.Contains(Probed(folder, Stated).Notes, n => n.Contains("stylusDiameterMm", StringComparison.Ordinal));
         WithBall(folder);
         Assert.Empty(Probed(folder, Stated).Notes);
-        var refusal = ProbedJob.Of(
+        var refusal = ProbedJob.Make(
             folder["job.json"], Stated with { StylusDiameterMm = 4 }, TestContext.Current.CancellationToken).Refusal!;
         Assert.Equal("stylus-differs", refusal.Code);
         Assert.Contains("every contact 0.5 mm off", refusal.Message, StringComparison.Ordinal);
@@ -167,10 +167,10 @@ public sealed partial class ProbedJobTests
         File.WriteAllText(
             folder["counterpart.nc"], File.ReadAllText(folder["counterpart.nc"]).Replace(selected, other, StringComparison.Ordinal));
         var wish = Stated with { OfCounterpart = true };
-        var refusal = ProbedJob.Of(folder["job.json"], wish, TestContext.Current.CancellationToken).Refusal!;
+        var refusal = ProbedJob.Make(folder["job.json"], wish, TestContext.Current.CancellationToken).Refusal!;
         Assert.Equal("other-work-offset", refusal.Code);
         wish = wish with { Template = "fanuc-p98xx" };
-        refusal = ProbedJob.Of(folder["job.json"], wish, TestContext.Current.CancellationToken).Refusal!;
+        refusal = ProbedJob.Make(folder["job.json"], wish, TestContext.Current.CancellationToken).Refusal!;
         Assert.Equal("other-work-offset", refusal.Code);
         wish = wish with { ToolNumber = null, Template = OwnTemplate(folder, "G55") };
         Assert.Equal(28, Probed(folder, wish).Points.Count);
@@ -189,7 +189,7 @@ public sealed partial class ProbedJobTests
     {
         using var folder = Copied();
         Clear(folder, cleared);
-        var outcome = ProbedJob.Of(folder["job.json"], Stated, TestContext.Current.CancellationToken);
+        var outcome = ProbedJob.Make(folder["job.json"], Stated, TestContext.Current.CancellationToken);
         Assert.Equal(isRefused, !outcome.IsUsable);
         Assert.All(outcome.Refusals, r => Assert.Equal(("out-of-reach", "L1"), (r.Code, r.Place.Feature)));
     }
@@ -207,13 +207,13 @@ public sealed partial class ProbedJobTests
         var wish = Stated with { TouchZ = 25, ClearanceZ = 60 };
         Assert.Equal(28, Probed(folder, wish).Points.Count);
         Assert.All(
-            ProbedJob.Of(folder["job.json"], wish with { StylusDiameterMm = 60 }, TestContext.Current.CancellationToken).Refusals,
+            ProbedJob.Make(folder["job.json"], wish with { StylusDiameterMm = 60 }, TestContext.Current.CancellationToken).Refusals,
             r => Assert.Equal("out-of-reach", r.Code));
         Assert.False(
-            ProbedJob.Of(folder["job.json"], wish with { StylusDiameterMm = 60 }, TestContext.Current.CancellationToken).IsUsable);
+            ProbedJob.Make(folder["job.json"], wish with { StylusDiameterMm = 60 }, TestContext.Current.CancellationToken).IsUsable);
 
         // How deep to touch below what, nobody says.
-        Assert.Equal("height-missing", ProbedJob.Of(
+        Assert.Equal("height-missing", ProbedJob.Make(
             folder["job.json"], wish with { TouchZ = null }, TestContext.Current.CancellationToken).Refusal!.Code);
     }
 
@@ -311,7 +311,7 @@ public sealed partial class ProbedJobTests
         using var folder = Copied();
 
         // In the notch's edge of 1 mm and beside the tooth a ball of 30 mm meets both flanks of the part's tooth.
-        var refusals = ProbedJob.Of(
+        var refusals = ProbedJob.Make(
             folder["job.json"], Stated with { StylusDiameterMm = 60 }, TestContext.Current.CancellationToken).Refusals;
         Assert.NotEmpty(refusals);
         Assert.All(refusals, r => Assert.Equal("out-of-reach", r.Code));
@@ -325,7 +325,7 @@ public sealed partial class ProbedJobTests
     public void A_travel_below_the_touch_is_refused(double clearance, string code)
     {
         using var folder = Copied();
-        Assert.Equal(code, ProbedJob.Of(
+        Assert.Equal(code, ProbedJob.Make(
             folder["job.json"], Stated with { ClearanceZ = clearance }, TestContext.Current.CancellationToken).Refusal!.Code);
     }
 
@@ -375,14 +375,14 @@ public sealed partial class ProbedJobTests
 
     private static ProbedJob Probed(TemporaryFolder folder, ProbeWish wish)
     {
-        var outcome = ProbedJob.Of(folder["job.json"], wish, TestContext.Current.CancellationToken);
+        var outcome = ProbedJob.Make(folder["job.json"], wish, TestContext.Current.CancellationToken);
         Assert.True(outcome.IsUsable, outcome.Refusal?.ToString());
         return outcome.Result!;
     }
 
     private static MatchedProgram Matched(TemporaryFolder folder, string job, string log)
     {
-        var run = MatingRun.Of(
+        var run = MatingRun.Run(
             new JobFiles(folder[job]), new() { Part = new(folder[log]) }, TestContext.Current.CancellationToken);
         Assert.True(run.IsUsable, run.Refusal?.ToString());
         return run.Result;

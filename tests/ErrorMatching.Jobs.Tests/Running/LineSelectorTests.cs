@@ -32,7 +32,7 @@ public sealed partial class LineSelectorTests
         using var folder = Copied();
         Renumber(folder);
         File.WriteAllText(folder["counterpart.nc"], "(edited)\n" + File.ReadAllText(folder["counterpart.nc"]));
-        var run = MatingRun.Of(new JobFiles(folder["job.json"]), new(), TestContext.Current.CancellationToken);
+        var run = MatingRun.Run(new JobFiles(folder["job.json"]), new(), TestContext.Current.CancellationToken);
         var refusal = run.Refusal!;
         Assert.Equal("program-changed", refusal.Code);
         Assert.Contains(Hash(folder), refusal.Message, StringComparison.Ordinal);
@@ -49,7 +49,7 @@ public sealed partial class LineSelectorTests
             folder["job.json"],
             File.ReadAllText(folder["job.json"]).Replace("\"from\": \"part\"", "\"from\": \"counterpart\"", StringComparison.Ordinal));
         var request = new MatingRequest { Counterpart = new(folder["counterpart.csv"]) };
-        var refusal = MatingRun.Of(new JobFiles(folder["job.json"]), request, TestContext.Current.CancellationToken).Refusal!;
+        var refusal = MatingRun.Run(new JobFiles(folder["job.json"]), request, TestContext.Current.CancellationToken).Refusal!;
         Assert.Equal("program-changed", refusal.Code);
         Assert.Contains("one line further on behind it", refusal.Message, StringComparison.Ordinal);
     }
@@ -83,7 +83,7 @@ public sealed partial class LineSelectorTests
 
     private static MatchedProgram Matched(TemporaryFolder folder)
     {
-        var run = MatingRun.Of(new JobFiles(folder["job.json"]), new(), TestContext.Current.CancellationToken);
+        var run = MatingRun.Run(new JobFiles(folder["job.json"]), new(), TestContext.Current.CancellationToken);
         Assert.True(run.IsUsable, run.Refusal?.ToString());
         return run.Result;
     }

@@ -26,7 +26,7 @@ public sealed class MatingRunTests
     {
         var files = new JobFiles(Job);
         Assert.NotNull(
-            MatingRun.Of(
+            MatingRun.Run(
                 files,
                 new() { Part = new("part.csv", File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "part.csv"))) },
                 TestContext.Current.CancellationToken).Result);
@@ -46,7 +46,7 @@ public sealed class MatingRunTests
                 + string.Concat(values.Select((v, i) => FormattableString.Invariant($"K2002/{i + 1} {v.Name}\nK2142/{i + 1} mm\n"))));
         File.WriteAllText(folder["part.dfx"], string.Join('\u000f', values.Select(v => v.Value + "\u00140")));
         var files = new JobFiles(Job);
-        var matched = MatingRun.Of(files, new() { Part = new(folder["part.dfx"]) }, TestContext.Current.CancellationToken).Result!;
+        var matched = MatingRun.Run(files, new() { Part = new(folder["part.dfx"]) }, TestContext.Current.CancellationToken).Result!;
         Assert.Equal(
             ["job.json", "theoretical.csv", "part.dfx", "part.dfd", "counterpart.nc"], files.Read.Select(f => Path.GetFileName(f)));
 
@@ -112,7 +112,7 @@ public sealed class MatingRunTests
         Assert.NotNull(Run(feedback, new() { Counterpart = new(folder["counterpart.csv"]) }));
 
         static MatchedProgram Run(string job, MatingRequest request) =>
-            MatingRun.Of(new(job), request, TestContext.Current.CancellationToken).Result!;
+            MatingRun.Run(new(job), request, TestContext.Current.CancellationToken).Result!;
     }
 
     [Fact]
@@ -128,7 +128,7 @@ public sealed class MatingRunTests
     {
         using var folder = new TemporaryFolder();
         var matched = Matched(new() { Folder = folder.Path });
-        var again = MatingRun.Of(
+        var again = MatingRun.Run(
             new(Job), new() { Program = new("counterpart.nc", matched.Program) }, TestContext.Current.CancellationToken);
         Assert.Null(again.Result);
         var refusal = Assert.Single(again.Refusals);
@@ -144,7 +144,7 @@ public sealed class MatingRunTests
             "\"kind\": \"none\"", "\"kind\": \"datum\", \"origin\": \"1\", \"direction\": \"2\"", StringComparison.Ordinal);
         var job = MatingJob.Parse(System.Text.Encoding.UTF8.GetBytes(text), Job);
         var points = "point,x_mm,y_mm\n" + string.Concat(job.NeededPoints.Select(p => p + ",-36,40\n"));
-        var e = Assert.Throws<InputException>(() => MatingRun.Of(
+        var e = Assert.Throws<InputException>(() => MatingRun.Run(
             new(job), new() { Part = new("part.csv", System.Text.Encoding.UTF8.GetBytes(points)) }, TestContext.Current.CancellationToken));
         Assert.Equal("part.csv", e.File);
         Assert.StartsWith("part.csv: ", e.Message, StringComparison.Ordinal);
@@ -152,8 +152,8 @@ public sealed class MatingRunTests
 
     [Fact]
     public void A_cancelled_run_computes_nothing() =>
-        Assert.Throws<OperationCanceledException>(() => MatingRun.Of(new(Job), new(), new CancellationToken(canceled: true)));
+        Assert.Throws<OperationCanceledException>(() => MatingRun.Run(new(Job), new(), new CancellationToken(canceled: true)));
 
     private static MatchedProgram Matched(MatingRequest request) =>
-        MatingRun.Of(new(Job), request, TestContext.Current.CancellationToken).Result!;
+        MatingRun.Run(new(Job), request, TestContext.Current.CancellationToken).Result!;
 }

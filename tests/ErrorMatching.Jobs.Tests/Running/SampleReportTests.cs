@@ -22,7 +22,7 @@ public sealed class SampleReportTests
     {
         string In(string file) => Repository.PathTo("samples", sample, file);
         var files = new JobFiles(In("job.json"));
-        var report = MatingRun.Of(files, new(), Cancellation).Result!.Report;
+        var report = MatingRun.Run(files, new(), Cancellation).Result!.Report;
         DocumentCheck.IsReadAndWritten(
             MatchReportJson.Write(report), b => MatchReportJson.Write(MatchReportJson.Read(ReportReader.Document(b))));
 

@@ -40,7 +40,7 @@ public sealed class WholeShapeTests
         Assert.InRange(held, (0.93 * Circles) - (2 * Math.Sqrt(0.93 * 0.07 * Circles)), Circles);
     }
 
-    private static WholeShape Estimate(int points, double first, Func<double, double> measured) => WholeShape.Of(
+    private static WholeShape Estimate(int points, double first, Func<double, double> measured) => WholeShape.Estimate(
         [
             .. Enumerable.Range(0, points).Select(k => first + (2 * Math.PI * k / points))
                 .Select(t => (At(t).Place, At(t).Normal, measured(t)))],

@@ -9,7 +9,7 @@ public sealed class MeasuredPointTests
     // The drawing is flat, the gauge reports heights: an origin 7 mm high is where it belongs.
     [Fact]
     public void An_origin_is_not_off_by_a_height_that_one_file_does_not_have() =>
-        Assert.Equal(0.005, OriginCheck.Of(new("O", 0.013), new("O", new(0, 0, 0), HasZ: false, 1), At(0.003, 0.004, 7)).DistanceMm, 12);
+        Assert.Equal(0.005, OriginCheck.Check(new("O", 0.013), new("O", new(0, 0, 0), HasZ: false, 1), At(0.003, 0.004, 7)).DistanceMm, 12);
 
     [Fact]
     public void The_ball_lies_in_the_air_of_the_piece_that_it_measures()
@@ -28,7 +28,7 @@ public sealed class MeasuredPointTests
     [Fact]
     public void An_origin_within_its_limit_holds()
     {
-        var check = OriginCheck.Of(new("O", 0.013), At(0, 0, 0), At(0.003, 0.004, 0.012));
+        var check = OriginCheck.Check(new("O", 0.013), At(0, 0, 0), At(0.003, 0.004, 0.012));
 
         Assert.Equal(0.013, check.DistanceMm, 12);
         Assert.Null((check with { DistanceMm = 0.013 }).Refusal);
@@ -37,7 +37,7 @@ public sealed class MeasuredPointTests
     [Fact]
     public void An_origin_that_is_off_refuses_the_job()
     {
-        var check = OriginCheck.Of(new("O", 0.01), At(1, 1, 0), At(1, 1.02, 0));
+        var check = OriginCheck.Check(new("O", 0.01), At(1, 1, 0), At(1, 1.02, 0));
 
         Assert.False(check.Holds);
         Assert.Equal(("origin-off", "O"), (check.Refusal!.Code, check.Refusal.Place.Point));

@@ -22,7 +22,7 @@ public sealed class PairDrawsTests
             var (samples, factor) = (Samples(k => air + mean[k]), Factor(priors, rows));
             var motions = PairSeatTests.Motions(samples);
             double[] gaps = [.. samples.Select(s => s.GapMm)];
-            var predicted = PairDraws.Of(motions, gaps, [factor], 400).Probability;
+            var predicted = PairDraws.Draw(motions, gaps, [factor], 400).Probability;
             ref var bin = ref bins[Math.Min(4, (int)(predicted * 5))];
             var root = (covariance + (Matrix<double>.Build.DenseIdentity(gaps.Length) * 1e-9)).Cholesky().Factor;
             var seat = motions.Seat(0);
@@ -72,7 +72,7 @@ public sealed class PairDrawsTests
         // Only the radius is uncertain: the air is its normal distribution.
         var normals = Enumerable.Range(0, 72).Select(i => Vector2.FromDirection(Angle.FromDegrees(5 * i))).ToArray();
         PairSample[] samples = [.. normals.Select(n => new PairSample(Point2.Origin - (n * 10), n, 0.004))];
-        var draws = PairDraws.Of(
+        var draws = PairDraws.Draw(
             PairSeatTests.Motions(samples), [.. samples.Select(s => s.GapMm)], [new(0, [[.. normals.Select(_ => 0.005)]])]);
         Assert.Equal(0.788, draws.Probability, 0.02);
         Assert.Equal(0.004, draws.MedianMm, 0.0004);
@@ -80,7 +80,7 @@ public sealed class PairDrawsTests
         Assert.Equal(0.004 + (1.96 * 0.005), draws.ToMm, 0.0008);
 
         // A shift says nothing: the part follows it.
-        var shifted = PairDraws.Of(
+        var shifted = PairDraws.Draw(
             PairSeatTests.Motions(samples), [.. samples.Select(s => s.GapMm)], [new(0, [[.. normals.Select(n => 0.1 * n.X)]])]);
         Assert.Equal(1, shifted.Probability);
         Assert.Equal(0.004, shifted.FromMm, 1e-8);
@@ -93,7 +93,7 @@ public sealed class PairDrawsTests
         var samples = Samples(_ => 0.004);
         var (motions, factor) = (PairSeatTests.Motions(samples), Factor(priors, rows));
         double[] gaps = [.. samples.Select(s => s.GapMm)];
-        Assert.Equal(PairDraws.Of(motions, gaps, [factor]), PairDraws.Of(motions, gaps, [factor]));
+        Assert.Equal(PairDraws.Draw(motions, gaps, [factor]), PairDraws.Draw(motions, gaps, [factor]));
     }
 
     [Fact]
@@ -104,7 +104,7 @@ public sealed class PairDrawsTests
         var samples = Samples(k => k / PerSide % 2 == 0 ? 0.003 : 0.05);
         var (motions, factor) = (PairSeatTests.Motions(samples), Factor(priors, rows));
         double[] gaps = [.. samples.Select(s => s.GapMm)];
-        var thinned = PairDraws.Of(motions, gaps, [factor]);
+        var thinned = PairDraws.Draw(motions, gaps, [factor]);
         var (variates, seat, air) = (new NormalVariates(0x0123456789ABCDEF), motions.Seat(0), new List<double>());
         for (var draw = 0; draw < PairDraws.Count; draw += 2)
         {
@@ -144,7 +144,7 @@ public sealed class PairDrawsTests
                 k => (IReadOnlyList<RowTerm>)[new(k / PerSide, Side * (k % PerSide) / (PerSide - 1), 1)])];
 
     private static JointFactor Factor(DeviationPrior[] priors, BoundaryRow[] rows) =>
-        JointFactor.Of(0, new DeviationField(priors, rows, U).Together(Places()));
+        JointFactor.Factor(0, new DeviationField(priors, rows, U).Together(Places()));
 
     private static PairSample[] Samples(Func<int, double> gap)
     {

@@ -203,10 +203,10 @@ public sealed class PairMatchTests
         double[] gaps = [.. pair.Gaps.Select(g => g.GapMm)];
         var factor = new JointFactor(
             0, [.. Enumerable.Range(1, 20).Select(c => gaps.Select((_, k) => 0.002 * Math.Sin(c * k * Math.PI / gaps.Length)).ToArray())]);
-        var seat = PairSeat.Of(motions, gaps);
-        var ways = liftsOff ? 1 : PairDraws.Of(motions, gaps, [factor]).Probability;
-        var drawing = liftsOff ? 0 : ReadingCost.Seconds(() => PairDraws.Of(motions, gaps, [factor]));
-        var seating = ReadingCost.Seconds(() => PairSeat.Of(motions, gaps));
+        var seat = PairSeat.Find(motions, gaps);
+        var ways = liftsOff ? 1 : PairDraws.Draw(motions, gaps, [factor]).Probability;
+        var drawing = liftsOff ? 0 : ReadingCost.Seconds(() => PairDraws.Draw(motions, gaps, [factor]));
+        var seating = ReadingCost.Seconds(() => PairSeat.Find(motions, gaps));
         TestContext.Current.TestOutputHelper?.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
             $"{sample}: {PairWords.Of(pair)} {PairWords.Play(pair)} {gaps.Length} places; of the processor, draws take "

@@ -112,7 +112,7 @@ public sealed class PairSeatTests
         }
     }
 
-    internal static PairSeat Seat(PairSample[] samples) => PairSeat.Of(Motions(samples), [.. samples.Select(s => s.GapMm)]);
+    internal static PairSeat Seat(PairSample[] samples) => PairSeat.Find(Motions(samples), [.. samples.Select(s => s.GapMm)]);
 
     internal static PairMotions Motions(PairSample[] samples) => new(
         [.. samples.Select(s => s.Place)], [.. samples.Select(s => s.Normal)], samples.Max(s => Math.Abs(s.GapMm)));

@@ -12,8 +12,8 @@ public sealed class LotTests
         double[] error = [0.02, 0.01, -0.01, 0.03], correction = [-0.019, -0.012, 0.008, -0.031];
         double[] left = [.. error.Zip(correction, (e, c) => e + c)];
 
-        var direct = Lot.Of([new(error, _zeros), new(error, _zeros)], U);
-        var corrected = Lot.Of([new(error, _zeros), new(left, correction)], U);
+        var direct = Lot.Estimate([new(error, _zeros), new(error, _zeros)], U);
+        var corrected = Lot.Estimate([new(error, _zeros), new(left, correction)], U);
 
         Assert.All(direct.ExpectedMm.Zip(corrected.ExpectedMm), pair => Assert.Equal(pair.First, pair.Second, 1e-12));
     }
@@ -40,7 +40,7 @@ public sealed class LotTests
         LotPiece[] values = [.. noises.Select((_, k) => new LotPiece([0.001 * k, -0.001 * k, 0.0005 * k, 0], _zeros))];
         var lot = new MeasuredLot(["1", "2", "3", "4"], [.. values.Zip(noises, (v, n) => new RecordedPiece("", n, v))], _zeros)
             .Estimate(0.0001);
-        Assert.Equal(Lot.Of(values, expected).UncertaintyMm, lot.UncertaintyMm);
+        Assert.Equal(Lot.Estimate(values, expected).UncertaintyMm, lot.UncertaintyMm);
     }
 
     // The mean of two points has half the variance of one, and the difference to it the other half.
@@ -49,7 +49,7 @@ public sealed class LotTests
     {
         var random = new Random(5);
         LotPiece[] pieces = [.. Enumerable.Range(0, 60).Select(_ => new LotPiece([U * Normal(random), U * Normal(random)], [0, 0]))];
-        Assert.InRange(Lot.Of(pieces, U).NoiseMm, 0.9 * U, 1.12 * U);
+        Assert.InRange(Lot.Estimate(pieces, U).NoiseMm, 0.9 * U, 1.12 * U);
     }
 
     [Fact]
@@ -57,7 +57,7 @@ public sealed class LotTests
     {
         double[] error = [0.2, -0.1, 0.15, -0.05];
 
-        var lot = Lot.Of([.. Enumerable.Repeat(new LotPiece(error, _zeros), 5)], U);
+        var lot = Lot.Estimate([.. Enumerable.Repeat(new LotPiece(error, _zeros), 5)], U);
 
         Assert.All(lot.ExpectedMm.Zip(error), pair => Assert.Equal(pair.Second, pair.First, 0.001));
         Assert.All(lot.UncertaintyMm, u => Assert.InRange(u, 0.0002, 0.002));
@@ -70,8 +70,8 @@ public sealed class LotTests
         LotPiece[] pieces = [.. Enumerable.Range(0, 6).Select(_ => new LotPiece(
             [.. _zeros.Select(_ => 0.01 * random.NextDouble())], _zeros))];
 
-        var lot = Lot.Of(pieces, U);
-        var tenfold = Lot.Of([.. pieces.Select(p => p with { ErrorsMm = [.. p.ErrorsMm.Select(e => -10 * e)] })], 10 * U);
+        var lot = Lot.Estimate(pieces, U);
+        var tenfold = Lot.Estimate([.. pieces.Select(p => p with { ErrorsMm = [.. p.ErrorsMm.Select(e => -10 * e)] })], 10 * U);
 
         Assert.All(lot.ExpectedMm.Zip(tenfold.ExpectedMm), pair => Assert.Equal(-10 * pair.First, pair.Second, 1e-12));
         Assert.All(lot.UncertaintyMm.Zip(tenfold.UncertaintyMm), pair => Assert.Equal(10 * pair.First, pair.Second, 1e-12));
@@ -84,7 +84,7 @@ public sealed class LotTests
         LotPiece[] pieces = [.. Enumerable.Range(0, 12).Select(k => new LotPiece(
             [.. _zeros.Select(_ => (k < 6 ? 0.0 : 0.012) + (0.002 * (random.NextDouble() - 0.5)))], _zeros))];
 
-        var lot = Lot.Of(pieces, U);
+        var lot = Lot.Estimate(pieces, U);
 
         Assert.Equal(LotEvent.Step, lot.Pieces[6].Event);
         Assert.All(lot.Pieces.Where((_, k) => k != 6), p => Assert.Equal(LotEvent.None, p.Event));
@@ -96,7 +96,7 @@ public sealed class LotTests
     {
         LotPiece[] pieces = [.. Enumerable.Range(0, 20).Select(k => new LotPiece([.. _zeros.Select(_ => 0.001 * k)], _zeros))];
 
-        var lot = Lot.Of(pieces, U);
+        var lot = Lot.Estimate(pieces, U);
 
         Assert.Equal(0.001, lot.DriftMm, 0.0001);
         Assert.All(lot.ExpectedMm, e => Assert.Equal(0.020, e, 0.001));
@@ -112,7 +112,7 @@ public sealed class LotTests
         {
             var truth = 0.003 * Normal(random);
             LotPiece[] pieces = [.. Enumerable.Range(0, 8).Select(_ => new LotPiece([truth + (U * Normal(random))], [0.0]))];
-            var lot = Lot.Of(pieces, U);
+            var lot = Lot.Estimate(pieces, U);
             inside += Math.Abs(lot.ExpectedMm[0] - truth) <= 1.96 * lot.UncertaintyMm[0] ? 1 : 0;
             all++;
         }
@@ -123,12 +123,12 @@ public sealed class LotTests
     [Fact]
     public void Pieces_with_different_points_are_no_lot()
     {
-        Assert.Throws<ArgumentException>(() => Lot.Of([], U));
-        Assert.Throws<ArgumentException>(() => Lot.Of([new([], [])], U));
-        Assert.Throws<ArgumentException>(() => Lot.Of([new([1, 2], [0, 0]), new([1], [0])], U));
-        Assert.Throws<ArgumentException>(() => Lot.Of([new([1, 2], [0])], U));
-        Assert.Throws<ArgumentOutOfRangeException>(() => Lot.Of([new([1], [0])], 0));
-        Assert.Throws<ArgumentOutOfRangeException>(() => Lot.Of([new([1], [0])], double.NaN));
+        Assert.Throws<ArgumentException>(() => Lot.Estimate([], U));
+        Assert.Throws<ArgumentException>(() => Lot.Estimate([new([], [])], U));
+        Assert.Throws<ArgumentException>(() => Lot.Estimate([new([1, 2], [0, 0]), new([1], [0])], U));
+        Assert.Throws<ArgumentException>(() => Lot.Estimate([new([1, 2], [0])], U));
+        Assert.Throws<ArgumentOutOfRangeException>(() => Lot.Estimate([new([1], [0])], 0));
+        Assert.Throws<ArgumentOutOfRangeException>(() => Lot.Estimate([new([1], [0])], double.NaN));
     }
 
     private static double Normal(Random random) =>

@@ -151,7 +151,7 @@ public sealed class ClosedLoopTests(LinuxCncControl control) : IClassFixture<Lin
             M2
 
             """);
-        var probed = ProbedJob.Of(
+        var probed = ProbedJob.Make(
             job,
             new()
             {

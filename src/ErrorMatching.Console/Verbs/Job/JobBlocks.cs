@@ -22,7 +22,7 @@ internal sealed class JobBlocks : Verb
 
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
-        var outcome = BlockRun.Of(arguments.GetRequiredValue(_job), cancellation);
+        var outcome = BlockRun.Find(arguments.GetRequiredValue(_job), cancellation);
         if (outcome.Result is not { } found)
         {
             return new Failure(ExitCode.Refused, outcome.Refusals);

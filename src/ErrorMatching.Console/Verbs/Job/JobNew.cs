@@ -90,7 +90,7 @@ internal sealed class JobNew : Verb
     {
         using var progress = new LateProgress(ProgressTo);
         progress.Report("laying the outline on the program");
-        var outcome = OutlineJob.Of(
+        var outcome = OutlineJob.Make(
             new(file, outline, arguments.GetRequiredValue(_program), arguments.GetRequiredValue(_dialect))
             {
                 Layer = arguments.GetValue(_layer),

@@ -32,7 +32,7 @@ internal sealed class JobPlan : Verb
         using var progress = new LateProgress(ProgressTo);
         progress.Report("choosing the points");
         var (file, folder) = (arguments.GetRequiredValue(_job), arguments.GetValue(_out));
-        var outcome = PlannedJob.Of(
+        var outcome = PlannedJob.Make(
             file, folder ?? ".", arguments.GetValue(_stylus), arguments.GetValue(_within), cancellation);
         if (outcome.Result is not { } planned)
         {

@@ -74,7 +74,7 @@ internal sealed class JobProbe : Verb
 
     public override VerbResult Run(ParseResult arguments, CancellationToken cancellation)
     {
-        var outcome = ProbedJob.Of(
+        var outcome = ProbedJob.Make(
             arguments.GetRequiredValue(_job),
             new()
             {

@@ -69,7 +69,7 @@ internal sealed class MatchVerb : Verb
         progress.Report("matching the program");
         var files = new JobFiles(arguments.GetRequiredValue(_job));
         var folder = arguments.GetValue(_out);
-        var outcome = MatingRun.Of(
+        var outcome = MatingRun.Run(
             files,
             new()
             {

@@ -93,7 +93,7 @@ internal sealed class SurfaceEvaluate : Verb
             files.Named,
             files.Inputs,
             surface,
-            SurfaceEvaluation.Of(files.Job, surface, measured),
+            SurfaceEvaluation.Evaluate(files.Job, surface, measured),
             Of(before),
             Of(radius),
             Of(radiusBefore))
@@ -113,6 +113,7 @@ internal sealed class SurfaceEvaluate : Verb
         MeasuredPoints[] Read(string name, string[]? paths) =>
             [.. (paths ?? []).Select(f => files.Measured(name, GivenMeasurement(f), plan))];
 
-        SurfaceEvaluation? Of(MeasuredPoints[] pieces) => pieces.Length == 0 ? null : SurfaceEvaluation.Of(files.Job, surface, pieces);
+        SurfaceEvaluation? Of(MeasuredPoints[] pieces) =>
+            pieces.Length == 0 ? null : SurfaceEvaluation.Evaluate(files.Job, surface, pieces);
     }
 }

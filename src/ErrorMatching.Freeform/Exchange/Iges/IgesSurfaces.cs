@@ -29,7 +29,7 @@ internal sealed class IgesSurfaces
     public ReadSurface Read(string? entity)
     {
         var names = _candidates.Select(c => IgesName.Of(_file, c)).ToList();
-        return Read(names, SurfaceChoice.Of(_file.Name, names, entity, i => Read(names, i)));
+        return Read(names, SurfaceChoice.Choose(_file.Name, names, entity, i => Read(names, i)));
     }
 
     private ReadSurface Read(List<string> names, int index)

@@ -31,7 +31,7 @@ internal sealed class StepSurfaces
     public ReadSurface Read(string? entity)
     {
         var names = _items.Select(NameOf).ToList();
-        return Read(SurfaceChoice.Of(_file.Name, names, entity, Read));
+        return Read(SurfaceChoice.Choose(_file.Name, names, entity, Read));
 
         ReadSurface Read(int index) => StepFace.Read(_items[index], SurfaceChoice.NameOf(names, index));
     }

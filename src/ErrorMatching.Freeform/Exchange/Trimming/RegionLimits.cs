@@ -17,7 +17,7 @@ internal static class RegionLimits
     public static SurfaceRegion Of(
         SplineSurface surface, IReadOnlyList<IReadOnlyList<Point2>> loops, Func<string, string, InputException> fail)
     {
-        var seam = SurfaceSeam.Of(surface);
+        var seam = SurfaceSeam.Find(surface);
         var inside = loops.Select(
             l => (IReadOnlyList<Point2>)[
                 .. (seam.Within(surface, l) ?? throw Crossing(surface, l, fail)).Select(q => Clamp(surface, q, fail))]).ToList();
@@ -39,7 +39,7 @@ internal static class RegionLimits
     private static InputException Crossing(
         SplineSurface surface, IReadOnlyList<Point2> loop, Func<string, string, InputException> fail)
     {
-        var at = SurfaceSeam.Of(surface).Within(surface, loop[0]);
+        var at = SurfaceSeam.Find(surface).Within(surface, loop[0]);
         var p = surface.PointAt(at.X, at.Y);
         return fail(
             "bad-loop",

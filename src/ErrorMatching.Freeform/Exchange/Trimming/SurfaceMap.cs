@@ -15,7 +15,7 @@ internal sealed record SurfaceMap(Func<Point2, Point3> PointAt, Func<Point3, Poi
     /// reach or cross the seam.</summary>
     public static SurfaceMap Of(SplineSurface surface)
     {
-        var seam = SurfaceSeam.Of(surface);
+        var seam = SurfaceSeam.Find(surface);
         return new(
             q =>
             {

@@ -14,7 +14,7 @@ internal readonly record struct SurfaceSeam(double PeriodU, double PeriodV)
     /// <summary>Share of a period by which rounding may move a loop beyond the ends.</summary>
     private const double Slack = 1e-6;
 
-    public static SurfaceSeam Of(SplineSurface surface)
+    public static SurfaceSeam Find(SplineSurface surface)
     {
         var (u, v) = (surface.KnotsU, surface.KnotsV);
         return new(

@@ -56,7 +56,7 @@ internal sealed class PolynomialModel : FieldModel
     public static PolynomialModel Choose(
         FieldData data, IReadOnlyList<double> breaksU, IReadOnlyList<double> breaksV, int degree = TermSelection.HighestDegree)
     {
-        var model = Fit(data, TermSelection.Of(data, breaksU, breaksV, degree).Terms)!;
+        var model = Fit(data, TermSelection.Select(data, breaksU, breaksV, degree).Terms)!;
         return breaksU.Count + breaksV.Count == 0 && degree == TermSelection.HighestDegree
             ? new(data, model._terms, model._fit, isFree: true)
             : model;

@@ -203,7 +203,7 @@ internal static class ProcessSearch
         }
 
         var begun = Begun(data, covariance);
-        return Model(LineMinimum.Of(t => Model(t)?.Criterion ?? double.PositiveInfinity, at - reach, at + reach, tolerance));
+        return Model(LineMinimum.Find(t => Model(t)?.Criterion ?? double.PositiveInfinity, at - reach, at + reach, tolerance));
 
         ProcessModel? Model(double t) => ProcessModel.Fit(ProcessTrend.Of(data, Broken(alongU, t)), kernel, covariance, begun);
     }

@@ -30,7 +30,7 @@ internal sealed record ProcessTrend(FieldData Data, Term[] Terms, double[][] Col
             return [];
         }
 
-        var basis = WaveBasis.Of(Data);
+        var basis = WaveBasis.Build(Data);
         double[] unit = [.. rest.Select(r => (r - mean) / length)];
         var (any, alongU, alongV) = (
             basis.Strongest(unit), basis.Strongest(unit, (_, v) => v == 0), basis.Strongest(unit, (u, _) => u == 0));

@@ -51,7 +51,7 @@ internal sealed class TermSelection
     /// <summary>The criterion of the selected terms; infinite if there are too few values for any term.</summary>
     public double Criterion { get; private set; } = double.PositiveInfinity;
 
-    public static TermSelection Of(FieldData data, IReadOnlyList<double> breaksU, IReadOnlyList<double> breaksV, int degree)
+    public static TermSelection Select(FieldData data, IReadOnlyList<double> breaksU, IReadOnlyList<double> breaksV, int degree)
     {
         var selection = new TermSelection(data, breaksU, breaksV, degree);
         selection.Run();

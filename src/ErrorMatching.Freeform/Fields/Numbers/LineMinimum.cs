@@ -11,7 +11,7 @@ internal static class LineMinimum
     /// <param name="low">Start of the range.</param>
     /// <param name="high">End of the range.</param>
     /// <param name="tolerance">Required accuracy of the place.</param>
-    public static double Of(Func<double, double> function, double low, double high, double tolerance)
+    public static double Find(Func<double, double> function, double low, double high, double tolerance)
     {
         var golden = (3 - Math.Sqrt(5)) / 2;
         var best = low + (golden * (high - low));

@@ -9,7 +9,7 @@ internal static class OrthonormalColumns
     /// <summary>Returns the independent ones, orthonormal to a constant, to columns that are so already, and to each other.</summary>
     /// <param name="columns">The functions at the places.</param>
     /// <param name="others">Orthonormal columns.</param>
-    public static double[][] Of(double[][] columns, double[][] others)
+    public static double[][] Build(double[][] columns, double[][] others)
     {
         var result = new List<double[]>();
         foreach (var column in columns)

@@ -50,7 +50,7 @@ internal sealed class WaveBasis
     }
 
     /// <summary>Prepares the waves over values.</summary>
-    public static WaveBasis Of(FieldData data) => new(data);
+    public static WaveBasis Build(FieldData data) => new(data);
 
     /// <summary>The wave that explains most for its number of functions.</summary>
     /// <param name="values">Values of mean 0 and square sum 1.</param>

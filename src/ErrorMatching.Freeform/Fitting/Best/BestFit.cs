@@ -6,7 +6,7 @@ internal static class BestFit
     /// <summary>Uses <see cref="BestSurface"/> unless the curve mesh has a smaller line-out error. The mesh has the fewest poles, so that
     /// noise bends it least on quadratics. It does not replace a surface through the points if it misses as much as what that
     /// replaced.</summary>
-    public static FittedSurface Of(PointGrid grid, double curveToleranceMm)
+    public static FittedSurface Fit(PointGrid grid, double curveToleranceMm)
     {
         BestSurface.Check(grid);
         var mesh = Task.Run(() => SurfaceFitter.Fit(grid, FitMethod.ThroughCurveMesh, curveToleranceMm));

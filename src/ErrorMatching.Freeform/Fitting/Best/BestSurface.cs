@@ -24,7 +24,7 @@ internal static class BestSurface
         Check(grid);
         var placed = PlacedGrid.Of(grid);
         var models = Array.ConvertAll(placed.Values, v => ModelChoice.Best(v, ModelChoice.FarWorseOnPoints));
-        var surface = ModelSurface.Of(placed, models);
+        var surface = ModelSurface.Fit(placed, models);
         return new(
             FitMethod.Best,
             surface,

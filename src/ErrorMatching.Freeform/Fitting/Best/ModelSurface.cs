@@ -10,7 +10,7 @@ internal static class ModelSurface
 
     private const int MostPieces = 64;
 
-    public static SplineSurface Of(PlacedGrid grid, FieldModel[] models)
+    public static SplineSurface Fit(PlacedGrid grid, FieldModel[] models)
     {
         if (Array.TrueForAll(models, m => m.IsSpline))
         {

@@ -154,7 +154,7 @@ internal sealed class OutlineChoice : Observable
         var failure = await Failures.OfAsync(
             () =>
             {
-                var outcome = OutlineJob.Of(request, CancellationToken.None);
+                var outcome = OutlineJob.Make(request, CancellationToken.None);
                 (job, refusal) = (outcome.Result, outcome.Refusal);
                 try
                 {

@@ -150,7 +150,7 @@ internal sealed class BlockPicking
         await before;
         await picture.MarkAsync([.. draft.Features.Where(f => f.Blocks.Length > 0).Select(f => new FeatureBlocks(f.Name, f.BlockList))]);
         var plane = picture.Program.Moves.Plane;
-        picture.Points = await Task.Run(() => MatingDraftPlaces.Of(draft).Where(p => p.Plane == plane).ToArray());
+        picture.Points = await Task.Run(() => MatingDraftPlaces.Find(draft).Where(p => p.Plane == plane).ToArray());
     }
 
     // Another program may have been opened since the blocks were chosen.

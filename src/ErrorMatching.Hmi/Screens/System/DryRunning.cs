@@ -134,7 +134,7 @@ internal sealed class DryRunning
         {
             try
             {
-                var outcome = MatingDraftRun.Of(draft, job.File, request, cancellation);
+                var outcome = MatingDraftRun.Run(draft, job.File, request, cancellation);
                 refusal = outcome.Result is null
                     ? () => Sentence.Joined(outcome.Refusals.Select(CodeText.Of))
                     : null;

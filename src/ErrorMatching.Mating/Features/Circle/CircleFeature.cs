@@ -122,7 +122,7 @@ internal sealed record CircleFeature(
     }
 
     private MeasuredCircle Fit(IReadOnlyList<Point2> points, double u) =>
-        FeatureFits.Named(Name, () => MeasuredCircle.Of(Method, points, u));
+        FeatureFits.Named(Name, () => MeasuredCircle.Fit(Method, points, u));
 }
 
 /// <summary>The circle that represents points, by the method of the job.</summary>
@@ -141,7 +141,7 @@ internal sealed record MeasuredCircle(
     /// <param name="points">The points.</param>
     /// <param name="u">Standard uncertainty of a point, mm.</param>
     /// <exception cref="GeometryException">The points determine no circle.</exception>
-    public static MeasuredCircle Of(CircleMethod method, IReadOnlyList<Point2> points, double u)
+    public static MeasuredCircle Fit(CircleMethod method, IReadOnlyList<Point2> points, double u)
     {
         if (method == CircleMethod.LeastSquares)
         {

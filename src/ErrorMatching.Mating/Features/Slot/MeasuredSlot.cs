@@ -46,7 +46,7 @@ internal sealed record MeasuredSlot
     /// <param name="u">Standard uncertainty of a point, mm.</param>
     /// <exception cref="GeometryException">The points determine no slot: flanks with coincident points, or end points beside the
     /// end.</exception>
-    public static MeasuredSlot Of(IReadOnlyList<IReadOnlyList<Point2>> points, double u)
+    public static MeasuredSlot Fit(IReadOnlyList<IReadOnlyList<Point2>> points, double u)
     {
         var (first, second) = (Mean(points[0]), Mean(points[2]));
         var direction = Common(points[0], first, points[2], second);

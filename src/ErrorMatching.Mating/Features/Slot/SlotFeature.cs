@@ -124,7 +124,7 @@ internal sealed record SlotFeature(
             next += labels.Count;
         }
 
-        return FeatureFits.Named(Name, () => MeasuredSlot.Of(lists, u));
+        return FeatureFits.Named(Name, () => MeasuredSlot.Fit(lists, u));
     }
 
     private Refusal At(NcPath path, int motion, string code, string message) =>

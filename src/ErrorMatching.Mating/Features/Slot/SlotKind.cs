@@ -61,7 +61,7 @@ internal sealed class SlotKind : FeatureKind
         ArgumentNullException.ThrowIfNull(lists);
         try
         {
-            return lists.All(l => l.Count > 0) ? MeasuredSlot.Of(lists, 0).Outline(Pieces) : [.. lists.SelectMany(l => l)];
+            return lists.All(l => l.Count > 0) ? MeasuredSlot.Fit(lists, 0).Outline(Pieces) : [.. lists.SelectMany(l => l)];
         }
         catch (GeometryException)
         {
