@@ -28,9 +28,13 @@ internal sealed record CounterpartVerification(VerifyReport? Report, Statement O
         try
         {
             var (program, bytes) = files.Program(null);
-            var before = files.Job.Counterpart.Measured is { } cut ? files.Counterpart(new(files.Job.PathOf(cut)), part: null) : null;
-            var input = new VerifyInput(
-                files.Job, files.Theoretical(), files.Part(new(part.Name, part.Bytes)), before, counterpart, program, bytes)
+            var theoretical = files.Theoretical();
+            var measured = files.Part(new(part.Name, part.Bytes), theoretical);
+            JobFiles.CheckPieces(measured, counterpart);
+            var before = files.Job.Counterpart.Measured is { } cut
+                ? files.Counterpart(new(files.Job.PathOf(cut)), measured, theoretical)
+                : null;
+            var input = new VerifyInput(files.Job, theoretical, measured, before, counterpart, program, bytes)
             {
                 OwnDialect = files.OwnDialect(),
                 Library = files.Called().Find,

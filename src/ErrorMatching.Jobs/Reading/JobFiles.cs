@@ -70,9 +70,26 @@ public sealed class JobFiles
     public MeasurementFile Counterpart(GivenFile file, MeasurementFile? part, MeasurementFile? theoretical = null)
     {
         var counterpart = Recognized(file, SourceSide.Counterpart, theoretical);
-        return part is not null && part.Sha256 == counterpart.Sha256
-            ? throw InputRefusals.SameContent(counterpart.File, SourceSide.Counterpart, part.File)
-            : counterpart;
+        if (part is not null)
+        {
+            CheckPieces(part, counterpart);
+        }
+
+        return counterpart;
+    }
+
+    /// <summary>Checks that what is compared are two measurements. A copy of the part's would fit it perfectly.</summary>
+    /// <param name="part">The measured part.</param>
+    /// <param name="counterpart">The measured counterpart.</param>
+    /// <exception cref="InputException">Both have the same content.</exception>
+    public static void CheckPieces(MeasurementFile part, MeasurementFile counterpart)
+    {
+        ArgumentNullException.ThrowIfNull(part);
+        ArgumentNullException.ThrowIfNull(counterpart);
+        if (part.Sha256 == counterpart.Sha256)
+        {
+            throw InputRefusals.SameContent(counterpart.File, SourceSide.Counterpart, part.File);
+        }
     }
 
     /// <summary>Checks that a measured part is not where the counterpart's program has it.</summary>

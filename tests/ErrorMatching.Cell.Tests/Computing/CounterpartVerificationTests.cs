@@ -49,6 +49,16 @@ public sealed class CounterpartVerificationTests
         Assert.Contains("counterpart.csv", recorded.Reason.Sentence, StringComparison.Ordinal);
     }
 
+    // Compared with itself, it would be within all limits.
+    [Fact]
+    public void A_copy_of_the_parts_measurement_verifies_nothing()
+    {
+        var recorded = Recorded(Counterpart() with { Measurement = Samples.File("complex-mating", "part.csv") });
+        Assert.Null(recorded.Report);
+        Assert.Contains("could not be compared with its part: ", recorded.Reason.Sentence, StringComparison.Ordinal);
+        Assert.Contains("part.csv", recorded.Reason.Sentence, StringComparison.Ordinal);
+    }
+
     [Fact]
     public void The_record_says_how_many_points_are_outside_their_limits() => Assert.Matches(
         @"sends nothing\. \d+ of 16 points are outside their limits: .*\.$", Recorded(Counterpart()).Reason.Sentence);
