@@ -1,7 +1,6 @@
 using System.Collections.Concurrent;
 using System.Data.Common;
 using System.Globalization;
-using System.Text;
 using ErrorMatching.Json;
 using Microsoft.Data.Sqlite;
 

@@ -93,13 +93,16 @@ internal sealed class SlotWorker(
     {
         if (RevertedBase.Of(flow, approved) is { } reverted)
         {
-            Fail(Step(approved, CorrectionState.Uploading, Recorded.LookedAtBase.With()), CellCodes.BaseReverted, reverted.Reason);
+            Fail(
+                place.Step(flow, approved, CorrectionState.Uploading, Recorded.LookedAtBase.With()),
+                CellCodes.BaseReverted,
+                reverted.Reason);
             return null;
         }
 
         if (OffsetStep.TooLarge(flow.Store, approved) is { } tooLarge)
         {
-            Fail(Step(approved, CorrectionState.Uploading, Recorded.LookedAtBase.With()), CorrectionCodes.OffsetStep, tooLarge);
+            Fail(place.Step(flow, approved, CorrectionState.Uploading, Recorded.LookedAtBase.With()), CorrectionCodes.OffsetStep, tooLarge);
             return null;
         }
 
@@ -112,13 +115,16 @@ internal sealed class SlotWorker(
         }
         catch (ChangedAtMachineException e)
         {
-            Fail(Step(approved, CorrectionState.Uploading, Recorded.TriedToRead.With()), CellCodes.ChangedAtMachine, e.Statement,
+            Fail(
+                place.Step(flow, approved, CorrectionState.Uploading, Recorded.TriedToRead.With()),
+                CellCodes.ChangedAtMachine,
+                e.Statement,
                 e.Found);
             return null;
         }
         catch (TransportException e) when (!e.IsWorthAnotherTry)
         {
-            Fail(Step(approved, CorrectionState.Uploading, Recorded.TriedToRead.With()), CellCodes.Of(e.Error), e.Message);
+            Fail(place.Step(flow, approved, CorrectionState.Uploading, Recorded.TriedToRead.With()), CellCodes.Of(e.Error), e.Message);
             return null;
         }
 
