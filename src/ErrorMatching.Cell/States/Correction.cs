@@ -26,7 +26,8 @@ public sealed record Correction(
     /// one. One that recalculates has the same job, piece and slot from the start.</summary>
     public long? MeasuredAs { get; init; }
 
-    /// <summary>Decides which of two measurements came first, and the order in line. One that recalculates has the place of the first.</summary>
+    /// <summary>Decides which of two measurements came first, and the order in line. One that recalculates has
+    /// the place of the first.</summary>
     public long Turn => MeasuredAs ?? Id;
 
     /// <summary>When the last step was taken.</summary>

@@ -3,7 +3,8 @@ namespace ErrorMatching.Cell;
 /// <summary>The life of a correction: the table of states and allowed steps, each with the worker or decision that takes it. Any other
 /// step is rejected.</summary>
 /// <remarks>A correction begins as archived: its file arrived (<see cref="SourceWorker"/>), or it recalculates an earlier one
-/// (<see cref="Recalculation"/>). A file that is too large to be stored begins as refused. A worker finds its work in the store by state, so that any process can take the next step.</remarks>
+/// (<see cref="Recalculation"/>). A file that is too large to be stored begins as refused. A worker finds its work in the store by state,
+/// so that any process can take the next step.</remarks>
 internal static class CorrectionSteps
 {
     private static readonly Dictionary<CorrectionState, CorrectionState[]> Table = new()
