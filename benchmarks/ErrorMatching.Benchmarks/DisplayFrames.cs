@@ -32,10 +32,11 @@ internal static class DisplayFrames
         return 0;
     }
 
-    /// <summary>Shows the frames in a window that fills the screen of DISPLAY, and prints the figures of this process.</summary>
+    /// <summary>Shows the frames in a window that fills the screen, and prints the figures of this process.</summary>
     public static int Show()
     {
-        var builder = AppBuilder.Configure<Application>().UseX11();
+        var builder = AppBuilder.Configure<Application>();
+        builder = OperatingSystem.IsWindows() ? builder.UseWin32() : builder.UseX11();
         builder.SetupWithLifetime(new ClassicDesktopStyleApplicationLifetime());
         var window = new Window { WindowState = WindowState.FullScreen };
         var lifetime = (ClassicDesktopStyleApplicationLifetime)builder.Instance!.ApplicationLifetime!;
