@@ -55,6 +55,51 @@ public sealed class ShortWayTests
                 && shortWay.Refusal == longWay.Refusal;
         }));
 
+    // What a shop states of its control: an axis of its own, a code that stops, a code that moves as G0 does. A comment changes nothing.
+    [Theory]
+    [InlineData("fanuc", "G0 X0. Y0.\nG1 X1. F100.\nG1 X5. E10.", """
+        "letters": [{ "letters": "E", "role": "other-axis", "statement": "The table.", "source": "tried" }],
+        "refusals": [{ "name": "own", "letters": "E", "values": { "most": 5 }, "statement": "E is at most 5.", "source": "tried" }]
+        """, true)]
+    [InlineData("fanuc", "G0 X0 Y0\nG60 X5.\nX7.", """
+        "codes": [{ "codes": "G60", "means": "rapid", "statement": "From one side.", "source": "tried" }],
+        "refusals": [{ "name": "own", "codes": "G60", "letters": "X", "values": { "most": 3 }, "statement": "X is at most 3.",
+          "source": "tried" }]
+        """, true)]
+    [InlineData("fanuc", "G0 X0 Y0\nG60 X1.\nX7.", """
+        "codes": [{ "codes": "G60", "means": "rapid", "statement": "From one side.", "source": "tried" }],
+        "refusals": [{ "name": "own", "codes": "G60", "letters": "X", "values": { "most": 3 }, "statement": "X is at most 3.",
+          "source": "tried" }]
+        """, false)]
+    public void What_a_shop_states_holds_on_the_short_way_too(string like, string program, string members, bool isRefused)
+    {
+        var dialect = OwnDialect.Of(", " + members, like);
+        var plain = Bench.Read(program, dialect);
+        var spelled = Bench.Read(string.Join('\n', program.Split('\n').Select(l => l + " (C)")), dialect);
+        Assert.Equal(spelled.Problems, plain.Problems);
+        Assert.Equal(isRefused, plain.Problems.Count > 0);
+    }
+
+    [Fact]
+    public void A_control_that_stops_at_G1_under_compensation_does_so_in_plain_blocks()
+    {
+        var dialect = OwnDialect.Of(
+            """, "settings": { "compensationStops": { "value": "G1", "statement": "Stops.", "source": "tried" } }""",
+            "generic").With(ToolRadii.Of(1));
+        const string Program = "G90 G17 G0 X0. Y0. Z0.\nG1 X1. F100.\nG41 D1 X10.\nY10.\nX20.\nG1 Y20.\nX30.\nG40 X40.";
+        string[] programs = [Program, string.Join('\n', Program.Split('\n').Select(l => l + " (C)"))];
+        Assert.All(programs, p => Assert.Equal(
+            "compensation-stop", CompensatedPath.Of(Bench.Read(p, dialect), TestContext.Current.CancellationToken).Refusal?.Code));
+    }
+
+    // A block is on the short way or not, which no later branch may notice.
+    [Theory]
+    [InlineData("fanuc", "G1 X5. F100.\nIF [#500 EQ 1] GOTO 10\nG1 X5. F100. M8\nN10 G1 Y5. F100.\nM30")]
+    [InlineData("siemens-840d", "G1 X5 F100 M8\nIF R5==1 GOTOF WEITER\nG1 X5\nWEITER:\nG1 Y5 F100 ;CUT\nM30")]
+    [InlineData("siemens-840d", "G1 X5 F100\nIF R5==1 GOTOF WEITER\nG1 X5 M8\nWEITER:\nG1 Y5 F100\nM30")]
+    public void Two_ways_that_meet_do_so_whichever_way_their_blocks_are_run(string dialect, string program) =>
+        Assert.Null(Bench.Read("G90 G17 G40 G0 X0. Y0. Z5.\n" + program, NcDialects.Named(dialect)).Refusal);
+
     [Fact]
     public void A_census_counts_plain_blocks_as_it_counts_their_tokens() =>
         Check.One(

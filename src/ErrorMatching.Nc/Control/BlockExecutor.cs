@@ -6,6 +6,8 @@ namespace ErrorMatching.Nc;
 /// <summary>Executes the words of a block: holds the stateful parts and calls them in the order in which a control works.</summary>
 internal sealed class BlockExecutor
 {
+    // G0 and G1, in tenths. Other codes with the same meaning may be refused for reasons of their own.
+    private const int Rapid = 0, Line = 10;
     private const uint StraightLetters = BlockWords.LinearAxes | (1u << ('N' - 'A')) | (1u << ('F' - 'A'));
     private const uint CutLetters = BlockWords.CenterWords | (1u << ('R' - 'A'));
 
@@ -32,6 +34,7 @@ internal sealed class BlockExecutor
     private readonly BlockObstacles _obstacles;
     private readonly ModeWords _modeWords;
     private readonly uint _straightLetters;
+    private readonly bool _stopsAtMoves;
     private readonly uint _axes;
     private readonly uint _cutLetters;
 
@@ -57,7 +60,8 @@ internal sealed class BlockExecutor
         _obstacles = new(control, new(control, _codes, _calls), Steering);
 
         // A rotary axis that moves along only marks the motion: its place is not followed.
-        _straightLetters = (StraightLetters | _values.OtherAxes) & ~_values.UnknownLetters;
+        _straightLetters = (StraightLetters | _values.OtherAxes) & StraightRefusals.Letters & ~_values.UnknownLetters;
+        _stopsAtMoves = _dialect.Compensation.StopCodes.Overlaps([Rapid, Line]);
         _axes = BlockWords.LinearAxes | _values.OtherAxes;
         _cutLetters = _straightLetters | (CutLetters & ~(_values.OtherAxes | _values.UnknownLetters));
         _run.Returned = _memory.Return;
@@ -124,8 +128,8 @@ internal sealed class BlockExecutor
     /// <see cref="Step"/>, which begins another one; an unknown code in it keeps blocks off this way.</description></item>
     /// <item><description>A D word that LinuxCNC forgets behind its block stays until the next <see cref="Step"/>, which forgets it before
     /// anything reads it.</description></item>
-    /// <item><description>Codes at which the control stops under compensation are not looked for: G0 and G1 are none of
-    /// them.</description></item>
+    /// <item><description>Codes at which the control stops under compensation are not looked for: blocks with G0 or G1 keep off this way
+    /// where the dialect has them among these.</description></item>
     /// <item><description><see cref="HasOnlyModes"/> is judged by letters alone, which is enough for plain words with G0 or G1.
     /// </description></item>
     /// <item><description>The motion is added without layers and corners: programmed coordinates are work coordinates, and no corner is
@@ -166,7 +170,7 @@ internal sealed class BlockExecutor
         }
 
         var meaning = _dialect.MeaningOf(codes[0]);
-        if (codes.Length > 1 || meaning is not (NcMeaning.Rapid or NcMeaning.Line)
+        if (codes.Length > 1 || codes[0] is not (Rapid or Line) || meaning is not (NcMeaning.Rapid or NcMeaning.Line) || _stopsAtMoves
             || (_values.ListsIdleMoves && (_words.Present & BlockWords.LinearAxes) == 0)
             || !Refusals.PassStraight(hasCode: true, meaning == NcMeaning.Line))
         {

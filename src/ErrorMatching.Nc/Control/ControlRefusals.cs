@@ -16,6 +16,8 @@ internal sealed class ControlRefusals(NcControl control)
     private readonly bool _isFree = control.Dialect.Refusals.Straight.IsFree;
     private readonly ulong _moves = control.Dialect.Refusals.Straight.RapidBit | control.Dialect.Refusals.Straight.LineBit;
 
+    private static readonly ulong FeedBit = Array.Find(RefusalTable.Remembered, r => r.Letter == 'F').Bit;
+
     // The current block is refused.
     private bool _stops;
 
@@ -39,6 +41,11 @@ internal sealed class ControlRefusals(NcControl control)
         if (hasCode)
         {
             inForce = (inForce & ~_table.Motion) | (isLine ? _straight.LineBit : _straight.RapidBit);
+        }
+
+        if (control.Words.Has('F'))
+        {
+            inForce |= FeedBit;
         }
 
         return true;

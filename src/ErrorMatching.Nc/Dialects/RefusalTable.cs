@@ -381,15 +381,16 @@ internal sealed class StraightRefusals
     /// <summary>Nothing is refused.</summary>
     public static readonly StraightRefusals None = new();
 
-    // Coordinates, also those of other axes, feed and number.
-    private static readonly uint Letters = "ABCUVWXYZFN".Aggregate(0u, (letters, letter) => letters | RefusalTable.Bit(letter));
+    /// <summary>Coordinates, also those of the usual other axes, feed and number. A block with other letters is compared with all
+    /// rules.</summary>
+    public static uint Letters { get; } = "ABCUVWXYZFN".Aggregate(0u, (letters, letter) => letters | RefusalTable.Bit(letter));
 
     private StraightRefusals() => IsFree = true;
 
     public StraightRefusals(RefusalTable table)
     {
-        (RapidBit, LineBit) = ((ulong)table.BitOf(0), (ulong)table.BitOf(10));
-        var moves = (UInt128)(RapidBit | LineBit);
+        var moves = table.BitOf(0) | table.BitOf(10);
+        (RapidBit, LineBit) = ((ulong)table.BitOf(0) & table.Motion, (ulong)table.BitOf(10) & table.Motion);
         foreach (var rule in table.Rules)
         {
             if (CanConcern(rule, moves))
@@ -417,8 +418,10 @@ internal sealed class StraightRefusals
     /// <summary>What must not be in force.</summary>
     public ulong Excluded { get; }
 
+    /// <summary>The bit of G0 among what is in force; 0 if the rules do not follow it.</summary>
     public ulong RapidBit { get; }
 
+    /// <summary>The same of G1.</summary>
     public ulong LineBit { get; }
 
     public bool ChecksNumber { get; }
