@@ -15,7 +15,7 @@ namespace ErrorMatching.Hmi.Tests;
 /// <summary>What holds of all screens.</summary>
 public sealed partial class HouseOfScreensTests
 {
-    private const double LeastContrast = 4.5, HighContrast = 7;
+    private const double LeastContrast = 4.5, MostContrast = 7;
 
     private static readonly (string Ink, string Ground)[] Read =
     [
@@ -130,11 +130,11 @@ public sealed partial class HouseOfScreensTests
     [InlineData(true)]
     public Task With_high_contrast_everything_stands_out(bool isDark) => Drawing.Needed().RunAsync(() =>
     {
-        var theme = isDark ? ErrorMatching.Hmi.Contrast.Dark : ErrorMatching.Hmi.Contrast.Light;
+        var theme = isDark ? HighContrast.Dark : HighContrast.Light;
         Assert.All<(string Ink, string Ground)>(
             [.. Read, ("Line", "Surface"), ("Line", "Ground"), ("TabItemHeaderForegroundUnselected", "Ground")],
             r => Assert.True(
-                Contrast(Color(r.Ink), Color(r.Ground)) >= HighContrast,
+                Contrast(Color(r.Ink), Color(r.Ground)) >= MostContrast,
                 $"{r.Ink} on {r.Ground}: {Contrast(Color(r.Ink), Color(r.Ground)):0.00}"));
 
         Color Color(string key) => Of(key, theme);
@@ -148,11 +148,11 @@ public sealed partial class HouseOfScreensTests
         {
             Assert.Equal(ThemeVariant.Light, seat.Window.ActualThemeVariant);
             system.Choose(ColorContrastPreference.High, PlatformThemeVariant.Dark);
-            Assert.Equal(ErrorMatching.Hmi.Contrast.Dark, seat.Window.ActualThemeVariant);
-            Assert.Equal(Of("Ground", ErrorMatching.Hmi.Contrast.Dark), ((ISolidColorBrush)seat.Window.Background!).Color);
+            Assert.Equal(HighContrast.Dark, seat.Window.ActualThemeVariant);
+            Assert.Equal(Of("Ground", HighContrast.Dark), ((ISolidColorBrush)seat.Window.Background!).Color);
             seat.Shell.IsDark = true;
             system.Choose(ColorContrastPreference.High, PlatformThemeVariant.Light);
-            Assert.Equal(ErrorMatching.Hmi.Contrast.Light, seat.Window.ActualThemeVariant);
+            Assert.Equal(HighContrast.Light, seat.Window.ActualThemeVariant);
         }
         finally
         {

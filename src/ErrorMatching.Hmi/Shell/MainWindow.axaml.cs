@@ -169,5 +169,5 @@ public sealed partial class MainWindow : Window
     private void OnSystemColors(object? sender, PlatformColorValues e) => ShowTheme();
 
     private void ShowTheme() =>
-        RequestedThemeVariant = Contrast.Theme(_shell?.IsDark == true, Application.Current!.PlatformSettings?.GetColorValues());
+        RequestedThemeVariant = HighContrast.Theme(_shell?.IsDark == true, Application.Current!.PlatformSettings?.GetColorValues());
 }

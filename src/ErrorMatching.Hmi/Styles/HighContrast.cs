@@ -4,13 +4,13 @@ using Avalonia.Styling;
 namespace ErrorMatching.Hmi;
 
 /// <summary>The themes for somebody who has chosen high contrast for the whole system.</summary>
-internal static class Contrast
+internal static class HighContrast
 {
     /// <summary>Black on white.</summary>
-    public static ThemeVariant Light { get; } = new(nameof(Contrast) + nameof(Light), ThemeVariant.Light);
+    public static ThemeVariant Light { get; } = new(nameof(HighContrast) + nameof(Light), ThemeVariant.Light);
 
     /// <summary>White on black.</summary>
-    public static ThemeVariant Dark { get; } = new(nameof(Contrast) + nameof(Dark), ThemeVariant.Dark);
+    public static ThemeVariant Dark { get; } = new(nameof(HighContrast) + nameof(Dark), ThemeVariant.Dark);
 
     /// <summary>The theme to show: with high contrast, the system's choice counts and not that of the user.</summary>
     internal static ThemeVariant Theme(bool isDark, PlatformColorValues? system) =>
