@@ -2,6 +2,7 @@ using System.Diagnostics;
 using System.Globalization;
 using System.Text;
 using ErrorMatching.Cell;
+using ErrorMatching.Json;
 using ErrorMatching.Reporting;
 using Microsoft.Data.Sqlite;
 
@@ -166,7 +167,7 @@ internal static class MillionCorrections
                 Machine = machine,
                 Slot = "A",
                 Program = $"O{1000 + (id % Machines)}.NC",
-                Identity = StoredContent.Sha256(Encoding.UTF8.GetBytes($"identity {id}")),
+                Identity = ContentHash.Sha256(Encoding.UTF8.GetBytes($"identity {id}")),
             });
             c = Next(c, CorrectionState.Computed, Recorded.DisplacedAt.With(0.1 + (id % 97 * 0.001), Recorded.AtBlock.With("N150")), c with
             {
@@ -232,7 +233,7 @@ internal static class MillionCorrections
                 + "largest_mm, sum_mm, row_code) "
                 + "VALUES (@a, @b, @c, @d, @e, @f, @g, @h, @i, @j, @k, @l, @m, @n, @o, @p, @q, @r, "
                 + "@s, @t, @u, @v, @w)",
-            c.Id, CorrectionRow.Word(c.State), c.Version, StoredContent.Sha256(Encoding.UTF8.GetBytes($"arrival {c.Id}")), c.Gauge,
+            c.Id, CorrectionRow.Word(c.State), c.Version, ContentHash.Sha256(Encoding.UTF8.GetBytes($"arrival {c.Id}")), c.Gauge,
             c.FileName, StoredTime.Of(c.ArrivedAt), StoredTime.Of(c.ChangedAt), c.MeasurementSha256, c.MeasurementBytes, c.Job, c.Piece,
             c.Serial, c.JobWorkOrder, c.Identity, c.Machine, c.Slot, c.Program, c.ProgramSha256, c.ReportSha256, c.LargestMm, c.SumMm,
             CorrectionRow.Coded(c).Code(key));
@@ -246,7 +247,7 @@ internal static class MillionCorrections
                 text.Append(CultureInfo.InvariantCulture, $"N{i * 10} G1 X{random.Next(100_000) * 0.001:0.000} Y1.5 F500 of {kind}\n");
             var plain = Encoding.UTF8.GetBytes(text.ToString());
             if (_texts.Count > 1000) _texts.Clear();
-            known = _texts[(kind, group)] = (StoredContent.Sha256(plain), plain.Length);
+            known = _texts[(kind, group)] = (ContentHash.Sha256(plain), plain.Length);
             var packed = PackedContent.Of(plain);
             Run("INSERT OR IGNORE INTO content (sha256, bytes, form, length) VALUES (@a, @b, @c, @d)",
                 known.Sha256, packed.Bytes, packed.Form, packed.Length);

@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Security.Cryptography;
+using ErrorMatching.Json;
 using Microsoft.Data.Sqlite;
 
 namespace ErrorMatching.Cell;
@@ -99,7 +100,7 @@ internal static class ArchiveWriter
         var found = archive.All().ToDictionary(c => c.Sha256, c => c.Content, StringComparer.Ordinal);
         foreach (var (sha256, content) in contents)
         {
-            if (!found.TryGetValue(sha256, out var there) || there?.Plain() is not { } plain || ContentRow.Sha256(plain) != sha256)
+            if (!found.TryGetValue(sha256, out var there) || there?.Plain() is not { } plain || ContentHash.Sha256(plain) != sha256)
             {
                 throw new StoreException(StoreError.Disk, $"The archive {file} was read back differently, at content {sha256}.");
             }

@@ -1,6 +1,7 @@
 using System.Data.Common;
 using System.Globalization;
 using System.Text.RegularExpressions;
+using ErrorMatching.Json;
 using Microsoft.Data.Sqlite;
 
 namespace ErrorMatching.Cell;
@@ -85,7 +86,7 @@ internal sealed partial class ContentArchive : IDisposable
             [("sha256", sha256), ("most", Math.Min(length ?? 0, MostContentBytes))])
             is [{ } packed]
             && PlainOf(packed, length) is { } plain
-            && ContentRow.Sha256(plain) == sha256
+            && ContentHash.Sha256(plain) == sha256
             ? plain
             : throw Damaged(_file, $"content {sha256} is not what was kept.", null));
 

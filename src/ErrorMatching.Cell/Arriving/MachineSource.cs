@@ -83,7 +83,7 @@ internal sealed class MachineSource(GaugeSettings gauge, IMachineFolder folder, 
             return 0;
         }
 
-        var (sha256, now) = (Sha256(bytes), clock.GetTimestamp());
+        var (sha256, now) = (ContentHash.Sha256(bytes), clock.GetTimestamp());
         if (!_seen.TryGetValue(name, out var seen) || seen.Sha256 != sha256)
         {
             seen = (sha256, now, false);
@@ -127,7 +127,7 @@ internal sealed class MachineSource(GaugeSettings gauge, IMachineFolder folder, 
         string name, byte[]? renamed, string? archived, Action<Arrival> archive, CancellationToken cancellation)
     {
         var taken = 0;
-        if (renamed is { Length: > 0 } && Sha256(renamed) is var sha256 && sha256 != archived)
+        if (renamed is { Length: > 0 } && ContentHash.Sha256(renamed) is var sha256 && sha256 != archived)
         {
             archive(Arrival(name, renamed, sha256));
             taken = 1;
@@ -148,6 +148,4 @@ internal sealed class MachineSource(GaugeSettings gauge, IMachineFolder folder, 
 
     private Arrival Arrival(string name, byte[] bytes, string sha256) =>
         new(gauge.Name, ShownName.Of(name), ArrivalKey.Of(gauge.Name, name, sha256), bytes);
-
-    private static string Sha256(byte[] bytes) => ContentHash.Sha256(bytes);
 }

@@ -37,7 +37,7 @@ internal static class CorrectionIdentity
         text.Append("job ").Append(Hash(jobSha256)).Append('\n');
         text.Append("base ").Append(baseSha256 is null ? "-" : Hash(baseSha256)).Append('\n');
         text.Append("gain ").Append(gain?.ToString("R", CultureInfo.InvariantCulture) ?? "-").Append('\n');
-        return Sha256(text);
+        return ContentHash.Sha256OfText(text.ToString());
     }
 
     /// <summary>SHA-256 over a job's file and the files that it names, so that a change to any of them gives another correction: lines
@@ -54,10 +54,8 @@ internal static class CorrectionIdentity
             text.Append(input.Role).Append(' ').Append(Hash(input.Sha256)).Append('\n');
         }
 
-        return Sha256(text);
+        return ContentHash.Sha256OfText(text.ToString());
     }
-
-    private static string Sha256(StringBuilder text) => ContentHash.Sha256(text.ToString());
 
     private static string Hash(string sha256) => sha256.Length == Digits && sha256.All(c => c is (>= '0' and <= '9') or (>= 'a' and <= 'f'))
         ? sha256

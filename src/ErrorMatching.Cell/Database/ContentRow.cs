@@ -1,5 +1,4 @@
 using System.Data.Common;
-using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell;
 
@@ -8,9 +7,6 @@ internal static class ContentRow
 {
     /// <summary>The columns that <see cref="Read"/> reads, in this order.</summary>
     public const string Columns = "bytes, form, length, source, made_by";
-
-    /// <summary>The hash of a content, as 64 lowercase hexadecimal digits.</summary>
-    public static string Sha256(ReadOnlySpan<byte> plain) => ContentHash.Sha256(plain);
 
     /// <summary>Reads a row's content.</summary>
     public static PackedContent Read(DbDataReader row) => new(

@@ -92,7 +92,7 @@ internal sealed class SqliteDatabase : CellDatabase
 
     public override ISlotLock? TryLock(string name)
     {
-        var hash = ContentHash.Sha256(name)[..16];
+        var hash = ContentHash.Sha256OfText(name)[..16];
         return FileLock.TryTake(FileLock.NameBeside(_file, hash));
     }
 

@@ -72,7 +72,7 @@ public sealed class JobEdits(CellSettings settings, CellStore store, UserBook us
     public static string Sha256Of(CellJobSettings job)
     {
         ArgumentNullException.ThrowIfNull(job);
-        return File.Exists(job.File) ? StoredContent.Sha256(InputFile.Bytes(job.File, JsonLimits.Default.MaxBytes)) : "";
+        return File.Exists(job.File) ? ContentHash.Sha256(InputFile.Bytes(job.File, JsonLimits.Default.MaxBytes)) : "";
     }
 
     /// <summary>Replaces a job's files, and stores the new and the previous ones.</summary>
@@ -113,7 +113,7 @@ public sealed class JobEdits(CellSettings settings, CellStore store, UserBook us
 
         DemandOwn(job, draft, files);
         var (before, after) = (JobVersions.FilesOf(job), JobVersions.FilesOf(job, draft, files));
-        var hash = StoredContent.Sha256(files[^1].Bytes.Span);
+        var hash = ContentHash.Sha256(files[^1].Bytes.Span);
 
         // A signature is valid for one act, so use it only after all other checks have passed.
         users.Demand(by, isInUse ? Act.EditJobs : Act.PrepareJobs);

@@ -121,7 +121,7 @@ internal sealed class JobVersions(CellSettings settings, CellStore store)
     }
 
     private static Statement Stated(IEnumerable<(string Name, byte[] Bytes)> files) =>
-        Recorded.JobFiles.With(files.Select(f => Recorded.JobFile.With(f.Name, StoredContent.Sha256(f.Bytes))));
+        Recorded.JobFiles.With(files.Select(f => Recorded.JobFile.With(f.Name, ContentHash.Sha256(f.Bytes))));
 
     /// <summary>Stores the files before and after a save in one transaction with the audit entry. What was saved here is already
     /// stored.</summary>
@@ -130,7 +130,7 @@ internal sealed class JobVersions(CellSettings settings, CellStore store)
     {
         var found = Stated(before);
         var isKnown = before.Count == 0
-            || Of(job).Any(v => v.Files.SequenceEqual(before.Select(f => (f.Name, StoredContent.Sha256(f.Bytes)))));
+            || Of(job).Any(v => v.Files.SequenceEqual(before.Select(f => (f.Name, ContentHash.Sha256(f.Bytes)))));
         var kept = StoredContent.Pack([.. before.Concat(after).Select(f => (ReadOnlyMemory<byte>)f.Bytes)]);
         store.Write(t =>
         {
@@ -145,7 +145,7 @@ internal sealed class JobVersions(CellSettings settings, CellStore store)
             }
 
             var written = Stated(after);
-            var basis = before.Count > 0 ? Recorded.JobInPlace.With(written, StoredContent.Sha256(before[^1].Bytes)) : written;
+            var basis = before.Count > 0 ? Recorded.JobInPlace.With(written, ContentHash.Sha256(before[^1].Bytes)) : written;
             t.Audit(by.Name, WordFor(job), job.Name, basis);
             return true;
         });

@@ -1,4 +1,5 @@
 using System.Data.Common;
+using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell;
 
@@ -61,7 +62,7 @@ internal sealed class CheckedArchives(string? folder)
                 cancellation.ThrowIfCancellationRequested();
                 while (isLeft && string.CompareOrdinal(there.Current.Sha256, sha256) < 0) isLeft = there.MoveNext();
                 if (!isLeft || there.Current.Sha256 != sha256
-                    || ContentArchive.PlainOf(there.Current.Content, length) is not { } plain || ContentRow.Sha256(plain) != sha256)
+                    || ContentArchive.PlainOf(there.Current.Content, length) is not { } plain || ContentHash.Sha256(plain) != sha256)
                 {
                     return new(AuditFaultKind.RowDiffers, 0, RecordedThinning.Lacks.With(sha256, name));
                 }

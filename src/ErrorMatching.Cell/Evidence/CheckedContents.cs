@@ -1,4 +1,5 @@
 using System.Data.Common;
+using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell;
 
@@ -74,7 +75,7 @@ internal sealed class CheckedContents
                     return;
                 }
 
-                if (content.Packed?.Plain() is { } plain && StoredContent.Sha256(plain) == content.Sha256)
+                if (content.Packed?.Plain() is { } plain && ContentHash.Sha256(plain) == content.Sha256)
                 {
                     Interlocked.Increment(ref _count);
                     Interlocked.Add(ref _bytes, plain.Length);

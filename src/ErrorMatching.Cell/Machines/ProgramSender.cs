@@ -289,7 +289,8 @@ public sealed class ProgramSender(
         TransportError.Denied or TransportError.Full or TransportError.CannotReplace or TransportError.Differs or TransportError.TooLarge
         or TransportError.NotAFile or TransportError.Unknown;
 
-    private static string? HashOf(byte[]? bytes) => bytes is null ? null : ContentHash.Sha256(bytes);
+    /// <summary>The hash of a program; null if there is none.</summary>
+    internal static string? HashOf(byte[]? bytes) => bytes is null ? null : ContentHash.Sha256(bytes);
 
     private static bool AreSame(byte[]? there, ReadOnlyMemory<byte> bytes) => there is not null && there.AsSpan().SequenceEqual(bytes.Span);
 

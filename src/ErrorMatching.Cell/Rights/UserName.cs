@@ -18,7 +18,7 @@ internal static class UserName
     public static string Key(string name) => name.ToUpperInvariant();
 
     /// <summary>The key of a typed name. It may be a password typed in the wrong field, so it must not be stored as is.</summary>
-    public static string Hash(string name) => ContentHash.Sha256(Key(name));
+    public static string Hash(string name) => ContentHash.Sha256OfText(Key(name));
 
     /// <summary>Rejects an invalid name.</summary>
     /// <exception cref="PeopleException">With <see cref="PeopleError.BadUserName"/>.</exception>

@@ -90,8 +90,8 @@ internal sealed class ComputeWorker(CellFlow flow)
         {
             Code = nothing.Code,
             Reason = nothing.Reason,
-            ReportSha256 = nothing.Report is { } report ? HashOf(report) : null,
-            PageSha256 = nothing.Page is { } page ? HashOf(page) : null,
+            ReportSha256 = nothing.Report is { } report ? ContentHash.Sha256(report.Span) : null,
+            PageSha256 = nothing.Page is { } page ? ContentHash.Sha256(page.Span) : null,
         },
         [.. new[] { nothing.Report, nothing.Page }.OfType<ReadOnlyMemory<byte>>()],
         nothing.IsPageOfReport);
@@ -109,14 +109,14 @@ internal sealed class ComputeWorker(CellFlow flow)
             Statement.InARow([.. computed.Offset?.Parts ?? [], basis, .. computed.Warnings]),
             c => c with
             {
-                ProgramSha256 = HashOf(computed.Program),
+                ProgramSha256 = ContentHash.Sha256(computed.Program.Span),
                 Offset = computed.Offset,
-                UndoSha256 = computed.Undo is { } undo ? HashOf(undo) : null,
-                ReportSha256 = HashOf(computed.Report),
-                PageSha256 = HashOf(computed.Page),
+                UndoSha256 = computed.Undo is { } undo ? ContentHash.Sha256(undo.Span) : null,
+                ReportSha256 = ContentHash.Sha256(computed.Report.Span),
+                PageSha256 = ContentHash.Sha256(computed.Page.Span),
                 LargestMm = computed.LargestMm,
                 SumMm = computed.SumMm,
-                SumsSha256 = sums is { } kept ? HashOf(kept) : null,
+                SumsSha256 = sums is { } kept ? ContentHash.Sha256(kept.Span) : null,
             },
             [computed.Program, computed.Report, computed.Page, .. new[] { sums, computed.Undo }.OfType<ReadOnlyMemory<byte>>()],
             computed.IsPageOfReport);
@@ -125,7 +125,4 @@ internal sealed class ComputeWorker(CellFlow flow)
     // Its identity becomes free: the refused measurement may come again once the reason is gone.
     private void Refuse(Correction recognized, string code, Statement reason) =>
         flow.Step(recognized, CorrectionState.Refused, reason, c => c with { Code = code, Reason = reason, Identity = null });
-
-    private static string HashOf(ReadOnlyMemory<byte> bytes) =>
-        ContentHash.Sha256(bytes.Span);
 }

@@ -195,6 +195,6 @@ internal sealed class EventWorker : IAsyncDisposable
     private static string ClientOf(CellStore store, string cell)
     {
         var first = store.AuditEntries(0, 1) is [var entry] ? entry.Hash : AuditEntry.NoHash;
-        return "errormatch-" + ContentHash.Sha256($"{first}\n{cell}")[..12];
+        return "errormatch-" + ContentHash.Sha256OfText($"{first}\n{cell}")[..12];
     }
 }

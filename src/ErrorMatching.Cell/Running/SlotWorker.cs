@@ -1,5 +1,4 @@
 using System.Globalization;
-using ErrorMatching.Json;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
@@ -111,7 +110,7 @@ internal sealed class SlotWorker(
         try
         {
             found = await LookAsync(flow.Finish);
-            named = await names.WhyNotAsync(approved, found, HashOf(found), flow.Finish);
+            named = await names.WhyNotAsync(approved, found, ProgramSender.HashOf(found), flow.Finish);
         }
         catch (ChangedAtMachineException e)
         {
@@ -128,7 +127,7 @@ internal sealed class SlotWorker(
             return null;
         }
 
-        var hash = HashOf(found);
+        var hash = ProgramSender.HashOf(found);
         var unknown = known.WhyNot(found, hash, approved);
         var mayReplace = unknown is null && named is null;
         var uploading = place.Step(
@@ -207,7 +206,7 @@ internal sealed class SlotWorker(
         if (!_isInOrder)
         {
             var found = await LookAsync(flow.Finish);
-            var hash = HashOf(found);
+            var hash = ProgramSender.HashOf(found);
             // If the old and the new program are the same, a ready file may still belong to the old one: then the program is sent again.
             if (hash == uploading.ProgramSha256 && hash != uploading.PreviousSha256)
             {
@@ -278,7 +277,7 @@ internal sealed class SlotWorker(
             return;
         }
 
-        var hash = HashOf(found);
+        var hash = ProgramSender.HashOf(found);
         if (hash == uploading.ProgramSha256 && hash != uploading.PreviousSha256)
         {
             Verify(uploading, Recorded.HeldAfterCut.With());
@@ -306,10 +305,9 @@ internal sealed class SlotWorker(
             uploading,
             CorrectionState.Failed,
             reason,
-            c => c with { Code = code, Reason = reason, PreviousSha256 = found is null ? c.PreviousSha256 : HashOf(found) },
+            c => c with { Code = code, Reason = reason, PreviousSha256 = found is null ? c.PreviousSha256 : ProgramSender.HashOf(found) },
             found is null ? null : [found]);
 
-    private static string? HashOf(byte[]? bytes) => bytes is null ? null : ContentHash.Sha256(bytes);
 }
 
 /// <summary>What a slot's worker sees of its slot. A store that reports every change is read again only after it has reported

@@ -49,5 +49,5 @@ internal static class ArrivalKey
 
     // No part contains a zero, so no two lists of parts give the same text.
     private static string Hash(params string[] parts) =>
-        ContentHash.Sha256(string.Join('\0', parts));
+        ContentHash.Sha256OfText(string.Join('\0', parts));
 }

@@ -1,3 +1,4 @@
+using ErrorMatching.Json;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Cell;
@@ -139,5 +140,5 @@ internal static class ArrivalWriter
     private static Correction? Known(StoreTransaction transaction, string key) =>
         transaction.First(CorrectionRow.Select + " WHERE arrival = @Arrival", CorrectionRow.Read, [("Arrival", KeyOf(key))]);
 
-    private static string KeyOf(string key) => StoredContent.Sha256(System.Text.Encoding.UTF8.GetBytes(key));
+    private static string KeyOf(string key) => ContentHash.Sha256OfText(key);
 }

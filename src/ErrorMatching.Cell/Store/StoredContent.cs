@@ -1,3 +1,5 @@
+using ErrorMatching.Json;
+
 namespace ErrorMatching.Cell;
 
 /// <summary>Contents that a store keeps by their SHA-256.</summary>
@@ -5,9 +7,6 @@ internal static class StoredContent
 {
     private const string Archive = PackedContent.Archive;
     private const string Select = $"SELECT {ContentRow.Columns} FROM content";
-
-    /// <summary>The hash of a content, as 64 lowercase hexadecimal digits.</summary>
-    public static string Sha256(ReadOnlySpan<byte> bytes) => ContentRow.Sha256(bytes);
 
     /// <summary>Packs contents, outside of any change: that takes its time.</summary>
     /// <param name="contents">The plain contents.</param>
@@ -17,7 +16,7 @@ internal static class StoredContent
     public static IReadOnlyList<(string Sha256, PackedContent Content)> Pack(
         IReadOnlyList<ReadOnlyMemory<byte>> contents, Correction? correction = null, bool isPageOfReport = false)
     {
-        var named = contents.Select(c => (Sha256: Sha256(c.Span), Plain: c)).ToArray();
+        var named = contents.Select(c => (Sha256: ContentHash.Sha256(c.Span), Plain: c)).ToArray();
         return [.. named.Select(c => (c.Sha256, PageOf(c.Sha256, c.Plain) ?? PackedContent.Of(c.Plain)))];
 
         PackedContent? PageOf(string sha256, ReadOnlyMemory<byte> plain)
@@ -95,12 +94,12 @@ internal static class StoredContent
         }
 
         var plain = packed.Plain();
-        if (plain is null || Sha256(plain) != sha256)
+        if (plain is null || ContentHash.Sha256(plain) != sha256)
         {
             throw new StoreException(
                 StoreError.Damaged,
                 $"{database.Place} is damaged: content {sha256} is not what was kept"
-                    + $"{(plain is null ? "" : $", but {Sha256(plain)}")}. Restore the latest backup.");
+                    + $"{(plain is null ? "" : $", but {ContentHash.Sha256(plain)}")}. Restore the latest backup.");
         }
 
         return plain;
@@ -111,7 +110,7 @@ internal static class StoredContent
     {
         var report = packed.Source is { } source ? Plain(database, source, Row(database, source)) : [];
         var page = ReportPages.Of(report);
-        if (page is not null && Sha256(page) == sha256) return page;
+        if (page is not null && ContentHash.Sha256(page) == sha256) return page;
         throw new StoreException(
             StoreError.Redrawn,
             $"Page {sha256} was drawn by version {packed.MadeBy} from report {packed.Source}, which is unchanged. Version "

@@ -1,5 +1,6 @@
 using System.Buffers;
 using System.Globalization;
+using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell;
 
@@ -115,7 +116,7 @@ internal sealed class Thinning(CellDatabase database, TimeProvider clock, byte[]
 
     private void DemandKept(string sha256, PackedContent content)
     {
-        if (content.Plain() is not { } plain || ContentRow.Sha256(plain) != sha256)
+        if (content.Plain() is not { } plain || ContentHash.Sha256(plain) != sha256)
         {
             throw new StoreException(
                 StoreError.Damaged, $"{database.Place} is damaged: content {sha256} is not what was kept. It is not moved. Restore the "

@@ -30,7 +30,7 @@ public sealed record MeasuredPoints(string File, string Sha256, IReadOnlyList<Me
         ArgumentNullException.ThrowIfNull(measured);
         return measured is [var only]
             ? only.Sha256
-            : ContentHash.Sha256(string.Concat(measured.Select(m => m.Sha256).Order(StringComparer.Ordinal)));
+            : ContentHash.Sha256OfText(string.Concat(measured.Select(m => m.Sha256).Order(StringComparer.Ordinal)));
     }
 
     /// <summary>Throws if files contain the same measurement, which would count several times.</summary>

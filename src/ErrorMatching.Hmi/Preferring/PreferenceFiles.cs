@@ -34,7 +34,7 @@ public sealed class PreferenceFiles(string folder)
 
     /// <summary>The file of a user. User names may have any characters; file names may not.</summary>
     public string Of(string user) =>
-        Path.Combine(folder, $"station-{ContentHash.Sha256(user)[..16]}.json");
+        Path.Combine(folder, $"station-{ContentHash.Sha256OfText(user)[..16]}.json");
 
     /// <summary>The preferences of a user; null if none are stored.</summary>
     /// <exception cref="InputException">The file cannot be read. It does not have the form that <see cref="Keep"/>

@@ -93,7 +93,7 @@ public sealed class DraftFolder(string folder)
     private string ProgramFile(string job, string sha256) => Path.Combine(folder, $"{Name(job)}.{sha256}.nc");
 
     // Job names may contain characters that file names must not.
-    private static string Name(string job) => ContentHash.Sha256(job)[..16];
+    private static string Name(string job) => ContentHash.Sha256OfText(job)[..16];
 }
 
 /// <summary>Stored unsaved changes of a job.</summary>

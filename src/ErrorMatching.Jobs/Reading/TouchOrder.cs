@@ -47,6 +47,6 @@ internal static class TouchOrder
             text.Append(CultureInfo.InvariantCulture, $"{label},{at.X:0.000000},{at.Y:0.000000}\n");
         }
 
-        return ContentHash.Sha256(text.ToString())[..16].ToUpperInvariant();
+        return ContentHash.Sha256OfText(text.ToString())[..16].ToUpperInvariant();
     }
 }

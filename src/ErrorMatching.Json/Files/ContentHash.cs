@@ -10,5 +10,5 @@ public static class ContentHash
     public static string Sha256(ReadOnlySpan<byte> bytes) => Convert.ToHexStringLower(SHA256.HashData(bytes));
 
     /// <summary>SHA-256 of a text in UTF-8, as 64 lower-case hexadecimal digits.</summary>
-    public static string Sha256(string text) => Sha256(Encoding.UTF8.GetBytes(text));
+    public static string Sha256OfText(string text) => Sha256(Encoding.UTF8.GetBytes(text));
 }

@@ -77,7 +77,7 @@ public sealed class NcPath
             var own = ContentHash.Sha256(Program.Bytes.Span);
             return CalledPrograms.Count == 0 && Assumed.Length == 0
                 ? own
-                : ContentHash.Sha256(string.Join('\n',
+                : ContentHash.Sha256OfText(string.Join('\n',
                     [own, .. CalledPrograms.Select(c => $"{c.Name} {c.Sha256}"), .. Assumed.Length == 0 ? [] : (string[])[Assumed]]));
         }
     }

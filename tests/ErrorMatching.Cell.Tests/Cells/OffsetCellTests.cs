@@ -1,4 +1,5 @@
 using System.Text;
+using ErrorMatching.Json;
 using ErrorMatching.Nc;
 using ErrorMatching.Reporting;
 
@@ -15,7 +16,7 @@ public sealed class OffsetCellTests
         cell.Drop("part_S1.csv", OffsetCell.Grown(0.02));
         var sent = await cell.Until(1, CorrectionState.Verified);
         var program = OffsetCell.Sent(cell);
-        Assert.Equal(StoredContent.Sha256(program), sent.ProgramSha256);
+        Assert.Equal(ContentHash.Sha256(program), sent.ProgramSha256);
 
         // Positive moves the tool away from the contour, and the boss must grow with its part.
         Assert.Equal("offset of the control: radius D1 by 0.0200 mm, 0.0200 mm in all.", sent.Offset!.Parts[0].Sentence);
@@ -40,7 +41,7 @@ public sealed class OffsetCellTests
         var reverted = await Revert(cell, 1);
         var undo = OffsetCell.Sent(cell);
         Assert.Equal(
-            (CorrectionState.Reverted, StoredContent.Sha256(undo), StoredContent.Sha256(undo)),
+            (CorrectionState.Reverted, ContentHash.Sha256(undo), ContentHash.Sha256(undo)),
             (reverted.State, reverted.UndoSha256, cell.Store.Slot("m1", "A").ProgramSha256));
         Assert.Contains("G10 L1 P1 R[#502+[0.0]]", Encoding.ASCII.GetString(undo), StringComparison.Ordinal);
         Assert.Equal(OffsetCell.Cutting, File.ReadAllText(cell.PathOf("job/boss.ngc")));
@@ -220,7 +221,7 @@ public sealed class OffsetCellTests
         cell.Change("job/job.json", $"[{first}]", $"[{then}]");
         cell.Drop("part_S2.csv", OffsetCell.Grown(0.01));
         Assert.Equal("correction-kind-changed", (await cell.Until(2, CorrectionState.Refused)).Code);
-        Assert.Equal(sent.ProgramSha256, StoredContent.Sha256(OffsetCell.Sent(cell)));
+        Assert.Equal(sent.ProgramSha256, ContentHash.Sha256(OffsetCell.Sent(cell)));
     }
 
     [Theory]

@@ -1,3 +1,5 @@
+using ErrorMatching.Json;
+
 namespace ErrorMatching.Cell.Tests;
 
 /// <summary>The process ends at some instant of an offset's way to its machine, and of the way back. The next one goes on to the same
@@ -34,17 +36,17 @@ public sealed class OffsetRestartTests
             await cell.StopAsync();
             Assert.Null(cell.Store.Find(2));
             Assert.Equal([OffsetCell.Program], machine.Files.Keys);
-            Assert.Equal(sent.ProgramSha256, StoredContent.Sha256(machine.Files[OffsetCell.Program]));
+            Assert.Equal(sent.ProgramSha256, ContentHash.Sha256(machine.Files[OffsetCell.Program]));
             Assert.Single(machine.Done, d => d == "rename " + OffsetCell.Program);
 
             left = instant / 4;
             await Assert.ThrowsAsync<OperationCanceledException>(() => Revert(cell));
-            var there = StoredContent.Sha256(machine.Files[OffsetCell.Program]);
+            var there = ContentHash.Sha256(machine.Files[OffsetCell.Program]);
             Assert.Contains(there, new[] { sent.ProgramSha256, sent.UndoSha256 });
             left = int.MaxValue;
             Assert.Equal(CorrectionState.Reverted, (await Revert(cell)).State);
             Assert.Equal([OffsetCell.Program], machine.Files.Keys);
-            Assert.Equal(sent.UndoSha256, StoredContent.Sha256(machine.Files[OffsetCell.Program]));
+            Assert.Equal(sent.UndoSha256, ContentHash.Sha256(machine.Files[OffsetCell.Program]));
             Assert.Equal(2, machine.Done.Count(d => d == "rename " + OffsetCell.Program));
             Assert.Equal(sent.UndoSha256, cell.Store.Slot("m1", "A").ProgramSha256);
             Assert.Null(cell.Store.VerifyAudit());

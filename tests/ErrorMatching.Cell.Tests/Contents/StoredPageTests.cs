@@ -1,4 +1,5 @@
 using System.Security.Cryptography;
+using ErrorMatching.Json;
 
 namespace ErrorMatching.Cell.Tests;
 
@@ -87,9 +88,9 @@ public sealed class StoredPageTests() : StoreTest(new SqliteKind())
             "computed",
             c => c with
             {
-                ProgramSha256 = StoredContent.Sha256(computed.Program.Span),
-                ReportSha256 = StoredContent.Sha256(computed.Report.Span),
-                PageSha256 = StoredContent.Sha256(page.Span),
+                ProgramSha256 = ContentHash.Sha256(computed.Program.Span),
+                ReportSha256 = ContentHash.Sha256(computed.Report.Span),
+                PageSha256 = ContentHash.Sha256(page.Span),
             },
             [computed.Program, computed.Report, page]);
         return (store, computed, correction);

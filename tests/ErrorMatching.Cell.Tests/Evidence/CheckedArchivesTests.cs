@@ -1,3 +1,5 @@
+using ErrorMatching.Json;
+
 namespace ErrorMatching.Cell.Tests;
 
 /// <summary>What the verification of a store says of contents that are in archives.</summary>
@@ -28,7 +30,7 @@ public sealed class CheckedArchivesTests : PeopleTest
         bytes[at] ^= 1;
         File.WriteAllBytes(file, bytes);
         Assert.Equal(
-            RecordedThinning.Lacks.With(StoredContent.Sha256("second"u8), name), new AuditTrail(Store, Keys).Verify().Fault!.Statement);
+            RecordedThinning.Lacks.With(ContentHash.Sha256("second"u8), name), new AuditTrail(Store, Keys).Verify().Fault!.Statement);
         File.WriteAllText(file, "no archive");
         Assert.Contains(name, new AuditTrail(Store, Keys).Verify().Fault!.Message, StringComparison.Ordinal);
         File.Move(PathOf("elsewhere"), file, overwrite: true);
@@ -67,7 +69,7 @@ public sealed class CheckedArchivesTests : PeopleTest
     public void A_row_that_names_an_archive_which_the_trail_does_not_know_is_a_fault(string? other)
     {
         var name = Thinned();
-        var hash = StoredContent.Sha256("kept"u8);
+        var hash = ContentHash.Sha256("kept"u8);
         Store.Database.Change((connection, transaction) => Sql.Execute(
             connection,
             "UPDATE content SET bytes = X'', form = 'archive', length = 4, source = @source WHERE sha256 = @hash",

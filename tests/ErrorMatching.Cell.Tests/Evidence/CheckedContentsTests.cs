@@ -1,3 +1,5 @@
+using ErrorMatching.Json;
+
 namespace ErrorMatching.Cell.Tests;
 
 public sealed class CheckedContentsTests : PeopleTest
@@ -16,7 +18,7 @@ public sealed class CheckedContentsTests : PeopleTest
     public void A_mutated_content_is_named()
     {
         var store = Filled();
-        var hash = StoredContent.Sha256(Program);
+        var hash = ContentHash.Sha256(Program);
         var packed = PackedContent.Of(Program);
         for (var at = 0; at < packed.Bytes.Length; at += 3)
         {
@@ -56,9 +58,9 @@ public sealed class CheckedContentsTests : PeopleTest
         store.Database.Read(connection => Sql.Execute(
             connection,
             "PRAGMA foreign_keys = OFF; DELETE FROM content WHERE sha256 = @Hash",
-            [("Hash", StoredContent.Sha256(Program))]));
-        var fault = Named(store, StoredContent.Sha256(Program))!;
-        Assert.Equal(Recorded.ContentMissing.With(StoredContent.Sha256(Program), 1L), fault.Statement);
+            [("Hash", ContentHash.Sha256(Program))]));
+        var fault = Named(store, ContentHash.Sha256(Program))!;
+        Assert.Equal(Recorded.ContentMissing.With(ContentHash.Sha256(Program), 1L), fault.Statement);
     }
 
     private static byte[] Program { get; } = System.Text.Encoding.UTF8.GetBytes(
@@ -78,7 +80,7 @@ public sealed class CheckedContentsTests : PeopleTest
         var c = Store.Archive(new Arrival("gauge", "one.csv", "one", measurement)).Correction;
         c = Store.Step(c, CorrectionState.Recognized, "cell", "by name", x => x with { Job = "job", Machine = "mill", Slot = "1" });
         Store.Step(
-            c, CorrectionState.Computed, "cell", "computed", x => x with { ProgramSha256 = StoredContent.Sha256(Program) }, [Program]);
+            c, CorrectionState.Computed, "cell", "computed", x => x with { ProgramSha256 = ContentHash.Sha256(Program) }, [Program]);
         return Store;
     }
 }

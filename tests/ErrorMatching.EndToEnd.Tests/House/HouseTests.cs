@@ -132,7 +132,7 @@ public sealed partial class HouseTests
         }
     }
 
-    // Whoever reads a name in one project must not have to ask which of two types it is.
+    // A reader must not have to ask which of two types a name means.
     [Fact]
     public void No_type_of_one_project_has_the_name_of_another_s()
     {

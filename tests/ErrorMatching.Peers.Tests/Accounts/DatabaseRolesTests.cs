@@ -1,5 +1,6 @@
 using System.Text;
 using ErrorMatching.Cell;
+using ErrorMatching.Json;
 using ErrorMatching.Testing;
 using Npgsql;
 
@@ -47,7 +48,7 @@ public sealed class DatabaseRolesTests(PostgresServer server) : IDisposable
         // It stores files of its own, such as those of a job, and one that is there already stays as it is.
         store.Audit("ben", "noted", "", null, "a job"u8.ToArray());
         store.Audit("ben", "noted", "", null, "points"u8.ToArray());
-        Assert.Equal("a job", Encoding.UTF8.GetString(cell.Content(StoredContent.Sha256("a job"u8))));
+        Assert.Equal("a job", Encoding.UTF8.GetString(cell.Content(ContentHash.Sha256("a job"u8))));
         Assert.Equal("points", Encoding.UTF8.GetString(cell.Content(cell.Find(1)!.MeasurementSha256)));
         Assert.Null(cell.VerifyAudit());
         Assert.Empty(cell.Tampered());

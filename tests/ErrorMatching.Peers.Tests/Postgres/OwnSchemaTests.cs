@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using System.Text;
 using ErrorMatching.Cell;
+using ErrorMatching.Json;
 using ErrorMatching.Testing;
 
 namespace ErrorMatching.Peers.Tests;
@@ -165,7 +166,7 @@ public sealed class OwnSchemaTests : IDisposable
     private static ProgramSender Sender(IMachineFolder folder, SlotRight right) =>
         new(new FencedFolder(folder, right.Demand), hash => hash == Hash("old"));
 
-    private static string Hash(string text) => StoredContent.Sha256(Encoding.UTF8.GetBytes(text));
+    private static string Hash(string text) => ContentHash.Sha256(Encoding.UTF8.GetBytes(text));
 
     private CellStore Open(string? schema) => CellStore.Open(_settings with { Schema = schema }, TimeProvider.System, Key);
 
