@@ -8,6 +8,9 @@ using System.Runtime.InteropServices;
 //   TITLE tap X Y              one finger
 //   TITLE pinch X Y FROM TO    two fingers left and right of a place; what is between them grows or shrinks from FROM to TO pixels
 //   TITLE dpi VALUE            another scaling, such as 144
+//   TITLE display              the display came back, as after remote desktop, and a setting of the system has changed
+//   TITLE hold MILLISECONDS    holds the clipboard for so long, as another program does, and says when it does
+//   TITLE end                  the session of Windows ends
 //   TITLE read                 reads the window as a screen reader does: prints of each element its kind, whether it has the focus (1),
 //                              and its name
 var window = FindWindow(null, args[0]);
@@ -44,6 +47,29 @@ switch (args[1])
 
     case "dpi":
         ChangeDpi(numbers[0]);
+        return 0;
+    case "display":
+        _ = SendMessage(window, DisplayChanged, 32, (1000 << 16) | 1600);
+        _ = SendMessage(window, SettingChanged, 0, 0);
+        return 0;
+    case "hold":
+        if (OpenClipboard(0) == 0)
+        {
+            throw new InvalidOperationException("Another program holds the clipboard.");
+        }
+
+        Console.WriteLine("held");
+        Thread.Sleep(numbers[0]);
+        _ = CloseClipboard();
+        return 0;
+    case "end":
+        if (SendMessage(window, MaySessionEnd, 0, 0) == 0)
+        {
+            Console.Error.WriteLine("The window does not let the session end.");
+            return 1;
+        }
+
+        _ = SendMessage(window, SessionEnds, 1, 0);
         return 0;
     case "read":
         Console.OutputEncoding = System.Text.Encoding.UTF8;
@@ -122,12 +148,15 @@ void Check(int result) => Marshal.ThrowExceptionForHR(result);
 internal partial class Program
 {
     private const int ControlType = 30003, Name = 30005, HasFocus = 30008, NextSibling = 1, FirstChild = 3;
+    private const uint MaySessionEnd = 0x11, SessionEnds = 0x16, SettingChanged = 0x1A, DisplayChanged = 0x7E;
     private const uint Update = 0x245, Down = 0x246, Up = 0x247, DpiChanged = 0x2E0, AllAccess = 0x1FFFFF, Commit = 0x3000, ReadWrite = 4;
 
     [DllImport("user32", EntryPoint = "FindWindowW", CharSet = CharSet.Unicode)]
     private static extern nint FindWindow(string? kind, string title);
 
     [DllImport("user32", EntryPoint = "SendMessageW")] private static extern nint SendMessage(nint window, uint message, nint w, nint l);
+    [DllImport("user32")] private static extern int OpenClipboard(nint window);
+    [DllImport("user32")] private static extern int CloseClipboard();
     [DllImport("user32")] private static extern unsafe int GetWindowRect(nint window, Rect* rect);
     [DllImport("user32")] private static extern unsafe uint GetWindowThreadProcessId(nint window, uint* process);
     [DllImport("kernel32")] private static extern nint OpenProcess(uint access, int inherits, uint process);
