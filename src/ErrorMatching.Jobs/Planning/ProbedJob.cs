@@ -193,7 +193,7 @@ public sealed record ProbedJob
             OvertravelMm = overtravel,
             FeedMmPerMin = wish.FeedMmPerMin ?? FeedMmPerMin,
             ToolKey = "--tool",
-            Tool = wish.ToolNumber is { } tool ? new ToolCall(tool, null, dialect.Syntax == NcSyntax.Siemens ? 1 : tool) : null,
+            Tool = wish.ToolNumber is { } tool ? new ToolCall(tool, null, dialect.UsualOffsetOf(tool)) : null,
             Assumed = assumed,
         };
         return new ProbedJob
@@ -204,7 +204,7 @@ public sealed record ProbedJob
             Points = points,
             TouchZ = z,
             Notes = notes,
-            Read = files.Read,
+            Read = files.Opened,
         };
 
         double Assumed(double value, string what)
@@ -226,7 +226,7 @@ public sealed record ProbedJob
                 return (dialect, ProbingTemplate.Named(template));
             }
 
-            files.Add([template]);
+            files.Add(template);
             return (dialect, ProbingTemplate.Parse(InputFile.Bytes(template, ProbingTemplate.MaxBytes), template));
         }
 

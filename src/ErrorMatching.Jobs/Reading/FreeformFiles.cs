@@ -37,7 +37,7 @@ public sealed class FreeformFiles
     public ReportJob Named => new(Job.Name, Job.WorkOrder, Job.File, Job.Sha256);
 
     /// <summary>The files that were read.</summary>
-    public IReadOnlyList<string> Read => _read;
+    public IReadOnlyList<string> Opened => _read;
 
     /// <summary>The files that were read other than the job, with their hashes.</summary>
     public IReadOnlyList<ReportInput> Inputs => _inputs;
@@ -203,10 +203,9 @@ public sealed class FreeformFiles
         return dialect;
     }
 
-    // Only Siemens controls call tools by name.
     private void CheckCall(ToolCall? tool, string path, NcDialect dialect)
     {
-        if (tool?.Name is { } name && dialect.Syntax != NcSyntax.Siemens && Job.PlaceOf(path) is { } place)
+        if (tool?.Name is { } name && !dialect.CallsToolsByName && Job.PlaceOf(path) is { } place)
         {
             throw Wrong(
                 "tool-by-name",

@@ -79,16 +79,19 @@ internal sealed class CompensationModes(NcPath path, ToolRadii radii, string lea
 
     private Refusal? Apply(in CompensationSwitch found, bool isOn)
     {
-        switch (found.Meaning)
+        if (found.Kind != SwitchKind.Switch)
         {
-            case NcMeaning.Unknown when isOn:
-                return At(
-                    found.Block, NcRefusalCodes.CompensationStop, $"the control stops at {found.Word} while cutter compensation is on.");
-            case NcMeaning.Harmless when isOn:
-                return At(
+            return !isOn ? null
+                : found.Kind == SwitchKind.Stop ? At(
+                    found.Block, NcRefusalCodes.CompensationStop, $"the control stops at {found.Word} while cutter compensation is on.")
+                : At(
                     found.Block,
                     NcRefusalCodes.CompensationUnfollowed,
                     "another tool radius is selected while cutter compensation is on; the path of the tool's center is not followed.");
+        }
+
+        switch (found.Meaning)
+        {
             case NcMeaning.CompensationUnfollowed when isOn:
                 return Unfollowed(found);
             case NcMeaning.CompensationUnfollowed:

@@ -21,7 +21,7 @@ internal sealed class Arcs(NcControl control, Corners corners, PoleCodes pole)
             end = plane.Lift(found, plane.Height(end));
         }
 
-        flags |= arc.Flags | control.SwitchCompensation(movesInPlane: true);
+        flags |= arc.Flags | control.TakeSwitch(movesInPlane: true);
         var (center, turned) = (arc.Center, arc.Kind);
         if (control.Layers.Transforms.Frame is not null)
         {

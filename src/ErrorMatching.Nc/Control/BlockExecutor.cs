@@ -296,8 +296,7 @@ internal sealed class BlockExecutor
         _memory.Drop();
         if (_intent.Use is not (AxisUse.Nothing or AxisUse.Corner))
         {
-            // LinuxCNC applies the feed of a block before its units.
-            ReadNumbers(_dialect.Syntax == NcSyntax.LinuxCnc ? inchFeedBefore : _control.State.InchFeed);
+            ReadNumbers(_dialect.Ways.ReadsFeedBeforeUnits ? inchFeedBefore : _control.State.InchFeed);
         }
 
         if (saves)
@@ -354,7 +353,7 @@ internal sealed class BlockExecutor
         }
         else
         {
-            flags |= _control.SwitchCompensation(state.Plane.Project(state.Position) != state.Plane.Project(end) || EndsSomewhere());
+            flags |= _control.TakeSwitch(state.Plane.Project(state.Position) != state.Plane.Project(end) || EndsSomewhere());
             _corners.Cut(kind, flags, end, unknown, null);
             _moves.Append(kind, flags, end, unknown);
         }

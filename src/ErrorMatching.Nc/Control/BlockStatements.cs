@@ -133,7 +133,7 @@ internal sealed class BlockStatements(NcControl control, BlockCodes codes, Cycle
             return control.Result.UnknownWord(control.Run.TextOf(statement));
         }
 
-        if (control.Dialect.Syntax != NcSyntax.Siemens)
+        if (!control.Dialect.Ways.AssignmentsAreWords)
         {
             return MotionFlags.None;
         }

@@ -98,7 +98,7 @@ internal sealed class BlockSteering(NcControl control)
     /// machine could still execute them.</summary>
     public MotionFlags ReadSemicolon()
     {
-        if (control.Dialect.Syntax is not (NcSyntax.Iso or NcSyntax.Okuma)
+        if (!control.Dialect.Ways.SemicolonMayEndBlock
             || !ReadableBlock.StandsBehind(control.Run.Text.Bytes.Span, control.Words.Semicolon, control.Dialect))
         {
             return MotionFlags.None;
@@ -123,7 +123,7 @@ internal sealed class BlockSteering(NcControl control)
     /// <summary>The same for a block that determines how the program continues: it could continue after the words.</summary>
     public bool RefusesSemicolon(NcBlock block)
     {
-        if (control.Dialect is not { Syntax: NcSyntax.Iso or NcSyntax.Okuma, SemicolonEndsBlock: true }
+        if (control.Dialect is not { Ways.SemicolonMayEndBlock: true, SemicolonEndsBlock: true }
             || !control.Run.Text.BytesOf(block).Contains((byte)';'))
         {
             return false;
@@ -147,7 +147,7 @@ internal sealed class BlockSteering(NcControl control)
     /// flow's index.</summary>
     public bool ConcernsFlow()
     {
-        var isNamed = control.Words.Has('O') || (control.Words.Has('L') && control.Dialect.Syntax == NcSyntax.Siemens);
+        var isNamed = control.Words.Has('O') || (control.Words.Has('L') && control.Dialect.Ways.CallsByAddress);
         foreach (var function in control.Words.Functions)
         {
             switch (control.Dialect.FunctionOf(function))
@@ -173,7 +173,7 @@ internal sealed class BlockSteering(NcControl control)
     /// not executed.</summary>
     public bool HasSteeringWords()
     {
-        var steers = control.Dialect.Syntax == NcSyntax.Siemens && control.Dialect.RoleOf((byte)'L') == LetterRole.Program
+        var steers = control.Dialect.Ways.CallsByAddress && control.Dialect.RoleOf((byte)'L') == LetterRole.Program
             && ((control.Words.Present | control.Words.Computed) & BlockWords.Bit('L')) != 0;
         foreach (var function in control.Words.Functions)
         {
@@ -205,14 +205,14 @@ internal sealed class BlockSteering(NcControl control)
 
         return (calls && control.Words.Has('P')
             && control.Dialect.IsMachineProgram((int)Math.Clamp(control.Words.Value('P'), -1, int.MaxValue)))
-            || (control.Dialect.Syntax == NcSyntax.Siemens && control.Words.Has('L')
+            || (control.Dialect.Ways.CallsByAddress && control.Words.Has('L')
                 && control.Dialect.IsMachineProgram((int)Math.Clamp(control.Words.Value('L'), -1, int.MaxValue)));
     }
 
-    /// <summary>Siemens writes plain addresses with an equals sign too; those matter only to the interpreter.</summary>
+    /// <summary>Where assignments can be words (<c>X=10</c>), those matter only to the interpreter.</summary>
     public bool HasStatements(NcBlock block)
     {
-        if (control.Dialect.Syntax != NcSyntax.Siemens)
+        if (!control.Dialect.Ways.AssignmentsAreWords)
         {
             return true;
         }

@@ -29,8 +29,8 @@ internal sealed class BlockValues(NcControl control)
         | LettersOf(control.Dialect, LetterRole.Center)
         | LettersOf(control.Dialect, LetterRole.Radius);
 
-    /// <summary>LinuxCNC has a motion for each step of a cycle and for each block with a straight move, even if it leads nowhere.</summary>
-    public bool ListsIdleMoves => _dialect.Syntax == NcSyntax.LinuxCnc;
+    /// <summary>As <see cref="ControlWays.ListsIdleMoves"/> says it.</summary>
+    public bool ListsIdleMoves { get; } = control.Dialect.Ways.ListsIdleMoves;
 
     /// <summary>Reads the words of a block that is not plain, with values computed by the flow.</summary>
     /// <param name="block">The block.</param>

@@ -14,7 +14,7 @@ internal sealed partial class BlockWords
     public bool TryReadPlain(ReadOnlySpan<byte> text, NcSyntax syntax)
     {
         Clear();
-        return LanguageSpelling.HasCodesIn(syntax) && ReadPlain(text, syntax == NcSyntax.LinuxCnc);
+        return LanguageSpelling.HasCodesIn(syntax) && ReadPlain(text, ControlWays.Of(syntax).SpacesInNumbers);
     }
 
     /// <summary>Reads letters with numbers, and spaces between them. False for anything else.</summary>

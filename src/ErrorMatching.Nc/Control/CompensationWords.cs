@@ -16,15 +16,15 @@ internal sealed class CompensationWords(NcControl control)
         var isUnknown = (control.Words.Unknown & BlockWords.Bit('D')) != 0;
         if (!isUnknown && !control.Words.Has('D'))
         {
-            // On LinuxCNC, D is for its own block only; without it, the tool in the spindle is meant.
-            control.Offset = control.Dialect.Syntax == NcSyntax.LinuxCnc ? null : control.Offset;
+            // Where D is for its own block only, the tool in the spindle is meant without it.
+            control.Offset = control.Dialect.Ways.OffsetsForOneBlock ? null : control.Offset;
             return;
         }
 
         control.Offset = isUnknown ? double.NaN : control.Words.Value('D');
         if (IsOn && !SwitchesOn())
         {
-            Record(NcMeaning.Harmless, "D");
+            Record(SwitchKind.OtherRadius, NcMeaning.Unknown, "D");
         }
     }
 
@@ -33,7 +33,7 @@ internal sealed class CompensationWords(NcControl control)
     {
         if (IsOn && control.Dialect.Compensation.StopCodes.Contains(tenths))
         {
-            Record(NcMeaning.Unknown, string.Create(CultureInfo.InvariantCulture, $"G{tenths / 10m:0.#}"));
+            Record(SwitchKind.Stop, NcMeaning.Unknown, string.Create(CultureInfo.InvariantCulture, $"G{tenths / 10m:0.#}"));
         }
     }
 
@@ -42,7 +42,7 @@ internal sealed class CompensationWords(NcControl control)
     {
         if (IsOn && control.Dialect.Compensation.StopFunctions.Contains(function))
         {
-            Record(NcMeaning.Unknown, string.Create(CultureInfo.InvariantCulture, $"M{function}"));
+            Record(SwitchKind.Stop, NcMeaning.Unknown, string.Create(CultureInfo.InvariantCulture, $"M{function}"));
         }
     }
 
@@ -51,7 +51,10 @@ internal sealed class CompensationWords(NcControl control)
     {
         if (IsOn && control.State.Plane != plane)
         {
-            Record(NcMeaning.Unknown, plane switch { CoordinatePlane.XY => "G17", CoordinatePlane.ZX => "G18", _ => "G19" });
+            Record(
+                SwitchKind.Stop,
+                NcMeaning.Unknown,
+                plane switch { CoordinatePlane.XY => "G17", CoordinatePlane.ZX => "G18", _ => "G19" });
         }
 
         control.Plane(plane);
@@ -62,7 +65,7 @@ internal sealed class CompensationWords(NcControl control)
     /// <param name="word">The word; null for a G code.</param>
     public void Apply(NcMeaning meaning, string? word)
     {
-        Record(meaning, word ?? SideOf(meaning) switch
+        Record(SwitchKind.Switch, meaning, word ?? SideOf(meaning) switch
         {
             MotionFlags.CompensationLeft => "G41",
             MotionFlags.CompensationRight => "G42",
@@ -80,7 +83,7 @@ internal sealed class CompensationWords(NcControl control)
     public void Lead(NcMeaning meaning, string word)
     {
         var isKnown = control.Words.Has('L') && (control.Words.Unknown & BlockWords.Bit('L')) == 0;
-        control.Result.SwitchCompensation(new(0, 0, meaning, word)
+        control.Result.Add(new CompensationSwitch(0, 0, SwitchKind.Switch, meaning, word)
         {
             Length = isKnown ? control.Words.Value('L') * control.Unit : double.NaN,
         });
@@ -96,7 +99,7 @@ internal sealed class CompensationWords(NcControl control)
     {
         if (_tool.Call(oversize) && IsOn)
         {
-            Record(NcMeaning.CompensationUnfollowed, "TOOL CALL");
+            Record(SwitchKind.Switch, NcMeaning.CompensationUnfollowed, "TOOL CALL");
         }
     }
 
@@ -105,7 +108,7 @@ internal sealed class CompensationWords(NcControl control)
     {
         if (IsOn && control.Dialect.Compensation.EndsAtCalls)
         {
-            Record(NcMeaning.CompensationUnfollowed, "A call of another program");
+            Record(SwitchKind.Switch, NcMeaning.CompensationUnfollowed, "A call of another program");
         }
     }
 
@@ -131,13 +134,14 @@ internal sealed class CompensationWords(NcControl control)
         return false;
     }
 
-    private void Record(NcMeaning meaning, string word) => control.Result.SwitchCompensation(new(0, 0, meaning, word)
-    {
-        Offset = control.Offset,
-        Unit = control.Unit,
-        Radius = _tool.Radius,
-        Oversize = _tool.Oversize,
-    });
+    private void Record(SwitchKind kind, NcMeaning meaning, string word) => control.Result.Add(
+        new CompensationSwitch(0, 0, kind, meaning, word)
+        {
+            Offset = control.Offset,
+            Unit = control.Unit,
+            Radius = _tool.Radius,
+            Oversize = _tool.Oversize,
+        });
 }
 
 /// <summary>What the program itself says of the radius of the tool that it called: a definition, and the oversize of the call.</summary>

@@ -49,11 +49,10 @@ internal sealed class Corners(NcControl control)
             return;
         }
 
-        if (control.Dialect.Syntax == NcSyntax.Siemens
+        if (control.Dialect.Ways.DropsCornerOffPlane
             && kind is MotionKind.Line or MotionKind.Rapid
             && plane.Project(end) == plane.Project(control.State.Position))
         {
-            // Siemens inserts nothing if the next motion leaves the plane.
             _pending = default;
             return;
         }

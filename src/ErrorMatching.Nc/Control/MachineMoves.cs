@@ -14,11 +14,11 @@ internal sealed class MachineMoves(NcControl control, Corners corners)
         var (end, unknown) =
             control.Layers.ToMachine(named, control.Values.Given(default, incremental: false), control.State.Incremental ? AxisSet.All
                 : control.Values.UnknownWords() | BlockWords.AxesOf(control.Words.Incremental));
-        var kind = control.State.Mode == MotionKind.Line && control.Dialect.Syntax != NcSyntax.Iso ? MotionKind.Line
+        var kind = control.State.Mode == MotionKind.Line && control.Dialect.Ways.CutsToMachinePlaces ? MotionKind.Line
             : (unknown & named) == AxisSet.None ? MotionKind.Rapid
             : MotionKind.Reference;
         flags |= MotionFlags.MachineMove
-            | control.SwitchCompensation(control.State.Plane.Project(control.State.Position) != control.State.Plane.Project(end));
+            | control.TakeSwitch(control.State.Plane.Project(control.State.Position) != control.State.Plane.Project(end));
         var isTurned = control.Layers.Offsets.Origin.Degrees is not (null or 0) && (named & (AxisSet.X | AxisSet.Y)) != AxisSet.None;
         flags |= Carries(AxisSet.All & ~named) | (isTurned ? MotionFlags.Transformed : MotionFlags.None);
         corners.Cut(kind, flags, end, unknown, null);

@@ -75,7 +75,7 @@ internal sealed class ModeWords(NcControl control)
         return statement.Kind switch
         {
             NcTokenKind.Keyword => control.Run.Text.Bytes.Span[statement.End - 1] == ':' || IsMode(control.Dialect.MeaningOf(name)),
-            NcTokenKind.Assignment when control.Dialect.Syntax == NcSyntax.Siemens =>
+            NcTokenKind.Assignment when control.Dialect.Ways.AssignmentsAreWords =>
                 control.Run.IsVariable(name)
                     || (name.Length > 1 && (name[0] | 0x20) == 'r' && name[1..].IndexOfAnyExceptInRange((byte)'0', (byte)'9') < 0),
             NcTokenKind.Assignment => true,

@@ -23,7 +23,7 @@ internal sealed class NcControl
         Dialect = dialect;
         State = ModalState.Initial with
         {
-            RetractsToR = dialect.Syntax == NcSyntax.LinuxCnc,
+            RetractsToR = dialect.Ways.RetractsToR,
             InForce = dialect.Refusals.AtStart,
         };
         Result = new(dialect, motions);
@@ -101,7 +101,7 @@ internal sealed class NcControl
     }
 
     /// <summary>The first motion in the plane after G41, G42 or G40 is the entry or the exit.</summary>
-    public MotionFlags SwitchCompensation(bool movesInPlane)
+    public MotionFlags TakeSwitch(bool movesInPlane)
     {
         if (!State.CompensationSwitched || !movesInPlane)
         {

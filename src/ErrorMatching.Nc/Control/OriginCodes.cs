@@ -74,11 +74,11 @@ internal sealed class OriginCodes(NcControl control, Corners corners)
         control.Layers.NextFrame();
     }
 
-    // G52. LinuxCNC has one shift for G52 and G92; other controls add that of G52 on top and store it separately.
+    // G52, whose shift is that of G92, too, or one on top.
     private void ShiftLocally()
     {
         var given = control.Values.GivenAxes();
-        var isOnly = control.Dialect.Syntax == NcSyntax.LinuxCnc;
+        var isOnly = control.Dialect.Ways.HasOneShift;
         var (was, wasUnknown) = isOnly ? (Shift.Vector, Shift.Unknown) : Shift.Local;
         var by = given.PartOf(was - (control.Values.Given(default(Point3) + was, incremental: false) - default(Point3)));
         var nowUnknown = (wasUnknown & ~given) | control.Values.UnknownWords();

@@ -72,5 +72,5 @@ internal sealed class RunResult(NcDialect dialect, NcMotions motions)
     public void ChangeTool() => _toolChanges.Add(Motions.Length);
 
     /// <summary>Records a word that concerns cutter compensation, for the block and the joint where the run is.</summary>
-    public void SwitchCompensation(CompensationSwitch found) => _switches.Add(found with { Block = Block, Joint = Motions.Length });
+    public void Add(CompensationSwitch found) => _switches.Add(found with { Block = Block, Joint = Motions.Length });
 }

@@ -8,8 +8,7 @@ internal sealed class WorkOffsets(NcDialect dialect)
 {
     private readonly Dictionary<(int Code, int Number), WorkOrigin> _known = [];
 
-    // LinuxCNC's work offsets can rotate.
-    private readonly bool _turn = dialect.Syntax == NcSyntax.LinuxCnc;
+    private readonly bool _turn = dialect.Ways.WorkOffsetsTurn;
 
     public (int Code, int Number) Chosen { get; private set; } = (dialect.FirstWorkOffset, 0);
 
@@ -154,8 +153,7 @@ internal sealed class OffsetCodes(NcControl control)
         }
     }
 
-    // Only LinuxCNC's work offsets turn.
-    private bool Turns => control.Dialect.Syntax == NcSyntax.LinuxCnc;
+    private bool Turns => control.Dialect.Ways.WorkOffsetsTurn;
 
     private (int Code, int Number)? WrittenOffset(OffsetTable table)
     {

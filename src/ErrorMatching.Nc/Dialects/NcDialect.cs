@@ -1,7 +1,7 @@
 namespace ErrorMatching.Nc;
 
 /// <summary>A control's language as data: the meaning of its codes, words and letters, its increments and tolerances. Behavior of a whole
-/// family with the same spelling (<see cref="NcSyntax"/>) is in the interpreter; differences between controls are here.</summary>
+/// family with the same spelling (<see cref="NcSyntax"/>) is in <see cref="ControlWays"/>; differences between controls are here.</summary>
 /// <remarks>Immutable. Built-in dialects come from <see cref="NcDialects.Named"/>, a shop's own from <see cref="NcDialects.Read"/>; both
 /// are JSON files of the same form (<see cref="NcDialects.Schema"/>).</remarks>
 public sealed class NcDialect
@@ -15,6 +15,7 @@ public sealed class NcDialect
     {
         (Name, Description, _tables, Files, _facts) = (name, description, tables, files, new(facts));
         BlockSkip = tables.BlockSkip;
+        Ways = ControlWays.Of(tables.Syntax);
         _callFunctions = new(() => new HashSet<int>(Enumerable.Range(0, DialectTables.Functions).Where(f => Calls(tables.FunctionOf[f]))));
     }
 
@@ -29,6 +30,9 @@ public sealed class NcDialect
 
     /// <summary>Syntax of its programs.</summary>
     public NcSyntax Syntax => _tables.Syntax;
+
+    /// <summary>In what its family differs from other controls beyond the spelling.</summary>
+    internal ControlWays Ways { get; }
 
     /// <summary>True if moves are letters with numbers (<c>G1 X10</c>), false if blocks are statements of a language.</summary>
     public bool HasCodes => LanguageSpelling.HasCodesIn(Syntax);
@@ -153,6 +157,13 @@ public sealed class NcDialect
         ToolRadii = ToolRadii,
         Assumed = assumed,
     };
+
+    /// <summary>True if a program can call a tool by its name.</summary>
+    public bool CallsToolsByName => Ways.CallsToolsByName;
+
+    /// <summary>The number of the offset that a tool usually has: its own, or 1 where each tool has offsets of its own.</summary>
+    /// <param name="tool">The number of the tool.</param>
+    public int UsualOffsetOf(int tool) => Ways.OffsetsBelongToTools ? 1 : tool;
 
     /// <summary>Meaning of a G code.</summary>
     /// <param name="tenths">The code times ten: 1 is 10, 54.1 is 541.</param>

@@ -4,10 +4,10 @@ namespace ErrorMatching.Nc;
 /// must not be there while it is on.</summary>
 /// <param name="Block">Its block.</param>
 /// <param name="Joint">The joint of the path at which it takes effect: it applies to this motion and later ones.</param>
-/// <param name="Meaning">What it does; <see cref="NcMeaning.Unknown"/> for a word at which the control stops,
-/// <see cref="NcMeaning.Harmless"/> for a D word of its own while compensation is on.</param>
+/// <param name="Kind">What kind of word it is.</param>
+/// <param name="Meaning">What a switch does; for another kind of word, <see cref="NcMeaning.Unknown"/>.</param>
 /// <param name="Word">The word as a setter would spell it: <c>G41</c>, <c>M6</c>, <c>RL</c>.</param>
-internal readonly record struct CompensationSwitch(int Block, int Joint, NcMeaning Meaning, string Word)
+internal readonly record struct CompensationSwitch(int Block, int Joint, SwitchKind Kind, NcMeaning Meaning, string Word)
 {
     /// <summary>Number of the tool's radius: the D word in force, or the tool that was called; null if there is none, NaN if only the
     /// machine knows it.</summary>
@@ -25,4 +25,17 @@ internal readonly record struct CompensationSwitch(int Block, int Joint, NcMeani
 
     /// <summary>How far a block that leads to a contour or away from it goes straight, mm; NaN if it does not say.</summary>
     public double Length { get; init; }
+}
+
+/// <summary>A kind of word that concerns cutter compensation.</summary>
+internal enum SwitchKind : byte
+{
+    /// <summary>It switches compensation, or says how the tool's center is led.</summary>
+    Switch,
+
+    /// <summary>The control stops at it while compensation is on.</summary>
+    Stop,
+
+    /// <summary>It selects another radius while compensation is on.</summary>
+    OtherRadius,
 }

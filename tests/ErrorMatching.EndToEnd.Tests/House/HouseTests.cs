@@ -132,6 +132,16 @@ public sealed partial class HouseTests
         }
     }
 
+    // What a control does has a name of its own (ControlWays) or is data of its dialect: whoever asks for a family by its spelling has to
+    // be found again for each new control.
+    [Fact]
+    public void No_room_of_the_control_asks_for_a_family()
+    {
+        var rooms = Directory.EnumerateFiles(Repository.PathTo("src", "ErrorMatching.Nc", "Control"), "*.cs").ToArray();
+        Assert.NotEmpty(rooms);
+        Assert.All(rooms, f => Assert.DoesNotContain("NcSyntax.", File.ReadAllText(f), StringComparison.Ordinal));
+    }
+
     // A reader must not have to ask which of two types a name means.
     [Fact]
     public void No_type_of_one_project_has_the_name_of_another_s()
