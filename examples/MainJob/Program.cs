@@ -18,7 +18,7 @@ try
         return 2;
     }
 
-    OutputFile.WriteAll(matched.FilesIn(args[1]), files.Read);
+    OutputFile.WriteAll(matched.FilesIn(args[1]), files.Opened);
     Console.WriteLine(VerdictWords.Of(matched.Report.Verdict));
     return matched.Report.Verdict.IsToCut ? 0 : 2;
 }

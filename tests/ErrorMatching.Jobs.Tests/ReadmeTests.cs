@@ -26,7 +26,7 @@ public sealed class ReadmeTests
         if (outcome.Result is { } matched)
         {
             // Both reports, and the program if the verdict says to cut it: all of them appear, or none. No file that was read is replaced.
-            OutputFile.WriteAll(matched.FilesIn(folder), files.Read);
+            OutputFile.WriteAll(matched.FilesIn(folder), files.Opened);
             Console.WriteLine(VerdictWords.Of(matched.Report.Verdict)); // "16 of 16 points will be within ..."
         }
 

@@ -38,7 +38,7 @@ public static class BlockRun
 
         // Blocks that are found now are for the program as it is now.
         var now = job with { Counterpart = job.Counterpart with { ProgramSha256 = null } };
-        return new FoundBlocks(job, program, path, [.. proposed.Select(p => Tried(now, path, theoretical, p))], files.Read, bytes);
+        return new FoundBlocks(job, program, path, [.. proposed.Select(p => Tried(now, path, theoretical, p))], files.Opened, bytes);
     }
 
     private static SoughtBoundary Sought(MatingJob job, JobFeature feature, MeasurementFile theoretical) =>

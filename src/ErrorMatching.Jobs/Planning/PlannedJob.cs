@@ -85,7 +85,7 @@ public sealed record PlannedJob
                 IsStylusAssumed = diameter is null,
                 Table = TableOf(job, plan, theoretical),
                 Document = DocumentOf(bytes, job, plan, target),
-                Read = files.Read,
+                Read = files.Opened,
             };
 
         PlanPrediction Predicted(TouchPlan planned, int parts)

@@ -10,6 +10,7 @@ namespace ErrorMatching.Jobs;
 public sealed class JobFiles
 {
     private readonly List<string> _read;
+    private readonly List<ProgramFolder> _called = [];
 
     /// <summary>Reads the job.</summary>
     /// <param name="job">The job's file.</param>
@@ -29,8 +30,8 @@ public sealed class JobFiles
     /// <summary>The job.</summary>
     public MatingJob Job { get; }
 
-    /// <summary>The files that were read.</summary>
-    public IReadOnlyList<string> Read => _read;
+    /// <summary>The files that were opened so far, called programs among them.</summary>
+    public IReadOnlyList<string> Opened => [.. _read, .. _called.SelectMany(c => c.Opened)];
 
     /// <summary>The nominal key points: the given ones, or the job's.</summary>
     /// <exception cref="InputException">The file cannot be used.</exception>
@@ -142,12 +143,16 @@ public sealed class JobFiles
         return (file.File, InputFile.Program(file.File));
     }
 
-    /// <summary>Adds files that were read.</summary>
-    public void Add(IEnumerable<string> files) => _read.AddRange(files);
+    /// <summary>Adds a file that was read beside the job's own.</summary>
+    internal void Add(string file) => _read.Add(file);
 
     /// <summary>The folders of the programs that the job's program calls: its own, and the job's libraries.</summary>
-    public ProgramFolder Called() =>
-        new(Job.PathOf(Job.Counterpart.Program), [.. Job.Counterpart.Libraries.Select(Job.PathOf)]);
+    public ProgramFolder Called()
+    {
+        var called = new ProgramFolder(Job.PathOf(Job.Counterpart.Program), [.. Job.Counterpart.Libraries.Select(Job.PathOf)]);
+        _called.Add(called);
+        return called;
+    }
 
     /// <summary>The dialect of the program if the job names a dialect file; otherwise null.</summary>
     /// <exception cref="InputException">The file cannot be opened. It cannot be used.</exception>
@@ -185,7 +190,6 @@ public sealed class JobFiles
         var (own, called) = (OwnDialect(), Called());
         cancellation.ThrowIfCancellationRequested();
         var path = NcInterpreter.Run(NcProgram.Read(bytes), Job.Counterpart.DialectOf(own), called.Find, cancellation);
-        Add(called.Opened);
         return new(file, bytes, own, called, path);
     }
 

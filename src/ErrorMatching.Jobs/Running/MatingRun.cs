@@ -50,7 +50,6 @@ public static class MatingRun
                     Library = called.Find,
                     OffsetsFile = request.OffsetsFile,
                 });
-            files.Add(called.Opened);
             if (outcome.Result is not { } result)
             {
                 var why = InputRefusals.Of(outcome.Refusals, job.File, program);

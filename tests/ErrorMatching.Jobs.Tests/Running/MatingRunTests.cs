@@ -30,7 +30,7 @@ public sealed class MatingRunTests
                 files,
                 new() { Part = new("part.csv", File.ReadAllBytes(Repository.PathTo("samples", "complex-mating", "part.csv"))) },
                 TestContext.Current.CancellationToken).Result);
-        Assert.Equal(["job.json", "theoretical.csv", "counterpart.nc"], files.Read.Select(Path.GetFileName));
+        Assert.Equal(["job.json", "theoretical.csv", "counterpart.nc"], files.Opened.Select(Path.GetFileName));
     }
 
     // The part's file of the sample as Q-DAS writes it: what it is in part.dfd, what was measured in part.dfx.
@@ -48,7 +48,7 @@ public sealed class MatingRunTests
         var files = new JobFiles(Job);
         var matched = MatingRun.Run(files, new() { Part = new(folder["part.dfx"]) }, TestContext.Current.CancellationToken).Result!;
         Assert.Equal(
-            ["job.json", "theoretical.csv", "part.dfx", "part.dfd", "counterpart.nc"], files.Read.Select(f => Path.GetFileName(f)));
+            ["job.json", "theoretical.csv", "part.dfx", "part.dfd", "counterpart.nc"], files.Opened.Select(f => Path.GetFileName(f)));
 
         // The marker names the measurement, which has another hash.
         static string[] Blocks(MatchedProgram p) =>

@@ -99,7 +99,7 @@ internal sealed class MatchVerb : Verb
                 VerdictWords.Of(obedient.Report.Verdict),
                 files.Job.File,
                 folder is null ? [] : matched.Report.Targets,
-                files.Read));
+                files.Opened));
         var outputs = folder is null ? [] : matched.FilesIn(folder, accepted);
         if (!obedient.Report.Acceptance.IsWithheld)
         {
@@ -109,7 +109,7 @@ internal sealed class MatchVerb : Verb
 
         if (outputs.Count > 0)
         {
-            OutputFile.WriteAll(outputs, files.Read, cancellation);
+            OutputFile.WriteAll(outputs, files.Opened, cancellation);
         }
 
         return answer;

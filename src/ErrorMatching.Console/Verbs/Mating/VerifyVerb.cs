@@ -83,7 +83,7 @@ internal sealed class VerifyVerb : Verb
             var answer = new VerifyAnswer(report, VerifiedPiece.Of(report, files.Job), folder, isRequired);
             if (folder is not null)
             {
-                OutputFile.WriteAll(answer.Files, files.Read, cancellation);
+                OutputFile.WriteAll(answer.Files, files.Opened, cancellation);
             }
 
             return answer;

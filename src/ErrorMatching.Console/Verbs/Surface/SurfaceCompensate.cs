@@ -68,11 +68,11 @@ internal sealed class SurfaceCompensate : Verb
                 ProfileLead.Of(obedient.Report.Result, obedient.Report.Verdict),
                 files.Job.File,
                 SurfaceCompensateAnswer.Targets(folder),
-                files.Read));
+                files.Opened));
         if (folder is not null)
         {
             progress.Report("making the reports");
-            OutputFile.WriteAll(answer.Files(), files.Read, cancellation);
+            OutputFile.WriteAll(answer.Files(), files.Opened, cancellation);
         }
 
         return answer;

@@ -63,7 +63,7 @@ internal sealed class SurfaceDisplace : Verb
         var obedient = displaced.Obey(_accept.Of(arguments));
         if (folder is not null && !obedient.Report.Acceptance.IsWithheld)
         {
-            OutputFile.Write(displaced.Report.File, displaced.Program, files.Read, cancellation);
+            OutputFile.Write(displaced.Report.File, displaced.Program, files.Opened, cancellation);
         }
 
         return new SurfaceDisplaceAnswer(
@@ -73,6 +73,6 @@ internal sealed class SurfaceDisplace : Verb
                 ProfileLead.Of(obedient.Report.Compensation, obedient.Report.Verdict),
                 files.Job.File,
                 folder is null ? [] : [displaced.Report.File],
-                files.Read));
+                files.Opened));
     }
 }

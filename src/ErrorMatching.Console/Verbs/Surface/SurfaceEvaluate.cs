@@ -105,7 +105,7 @@ internal sealed class SurfaceEvaluate : Verb
         if (folder is not null)
         {
             progress.Report("making the reports");
-            OutputFile.WriteAll(answer.Files, files.Read, cancellation);
+            OutputFile.WriteAll(answer.Files, files.Opened, cancellation);
         }
 
         return answer;

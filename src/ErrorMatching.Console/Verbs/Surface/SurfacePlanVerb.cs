@@ -35,7 +35,7 @@ internal sealed class SurfacePlanVerb : Verb
         var folder = arguments.GetValue(_out);
         if (folder is not null)
         {
-            OutputFile.Write(Path.Combine(folder, SurfacePlanAnswer.FileName), PlanCsv.Write(plan), files.Read, cancellation);
+            OutputFile.Write(Path.Combine(folder, SurfacePlanAnswer.FileName), PlanCsv.Write(plan), files.Opened, cancellation);
         }
 
         return new SurfacePlanAnswer(files.Job, plan, folder);

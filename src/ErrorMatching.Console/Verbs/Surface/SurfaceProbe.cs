@@ -41,7 +41,7 @@ internal sealed class SurfaceProbe : Verb
         var after = arguments.GetValue(_after);
         var program = after is null ? probing.Bytes : probing.MergeAfter(files.Program(new(after)), after, files.Job.Toolpath.Dialect);
         var answer = new SurfaceProbeAnswer(files.Job, plan, probing, after, arguments.GetValue(_out));
-        OutputFile.WriteAll(answer.Files(program), files.Read, cancellation);
+        OutputFile.WriteAll(answer.Files(program), files.Opened, cancellation);
         return answer;
     }
 }

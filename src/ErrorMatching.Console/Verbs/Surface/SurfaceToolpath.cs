@@ -58,7 +58,7 @@ internal sealed class SurfaceToolpath : Verb
         {
             progress.Report("writing the program");
             OutputFile.Write(
-                answer.File, FinishingProgram.Write(planned.Path, job, dialect, stage, template: template), files.Read, cancellation);
+                answer.File, FinishingProgram.Write(planned.Path, job, dialect, stage, template: template), files.Opened, cancellation);
         }
 
         return answer;
