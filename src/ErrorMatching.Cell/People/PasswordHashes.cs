@@ -7,7 +7,7 @@ namespace ErrorMatching.Cell;
 /// <summary>Password hashes: PBKDF2 with HMAC-SHA-512, a 128-bit salt each and a 256-bit result, by ASP.NET's
 /// <see cref="PasswordHasher{TUser}"/>, whose format includes the work factor.</summary>
 /// <param name="iterations">The work factor for new hashes.</param>
-internal sealed class PasswordHashes(int iterations = PasswordHashes.CurrentIterations)
+internal sealed class PasswordHashes(int iterations)
 {
     /// <summary>The work factor. Source: OWASP Password Storage Cheat Sheet (2025), PBKDF2-HMAC-SHA512: 220,000 iterations. Raise it here;
     /// each hash is renewed at its user's next sign-in.</summary>
@@ -15,6 +15,17 @@ internal sealed class PasswordHashes(int iterations = PasswordHashes.CurrentIter
 
     private readonly PasswordHasher<PasswordHashes> _hasher = new(Options.Create(
         new PasswordHasherOptions { IterationCount = iterations }));
+
+    /// <summary>Hashes with the work factor of this process.</summary>
+    public PasswordHashes()
+        : this(Usual)
+    {
+    }
+
+    /// <summary>The work factor of this process. Only tests lower it, of what stands around passwords: hundreds of sign-ins take minutes
+    /// otherwise.</summary>
+    public static int Usual { get; set; } = CurrentIterations;
+
     /// <summary>A hash that matches no password and takes just as long to compare.</summary>
     public string Nobodys { get; } = NobodysAt(iterations);
 

@@ -25,7 +25,6 @@ internal sealed class Seat : IAsyncDisposable
         var folder = new TemporaryFolder();
         AppDomain.CurrentDomain.ProcessExit += (_, _) => folder.Dispose();
         var settings = DemoCell.Make(folder.Path, TimeProvider.System).Settings;
-        QuickPasswords.In(settings);
         // Its gauges' files come whole: nobody has to wait until they rest.
         var file = Path.Combine(folder.Path, "cell", "cell.json");
         File.WriteAllText(
@@ -49,7 +48,6 @@ internal sealed class Seat : IAsyncDisposable
             Preferences = new(Path.Combine(_folder.Path, "preferences")),
             SamplesFolder = hasSamples ? Cell.SamplesFolder : null
         };
-        QuickPasswords.In(Station.Users);
         Shell = Screens.ShellOf(Station);
         Window = new() { DataContext = Shell, Width = size.Width, Height = size.Height };
         Window.Show();
