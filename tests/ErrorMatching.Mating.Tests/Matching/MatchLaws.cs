@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text;
 using ErrorMatching.Nc;
+using ErrorMatching.Testing;
 using FsCheck;
 using FsCheck.Fluent;
 
@@ -133,7 +134,7 @@ public sealed class MatchLaws
     }
 
     private static void Check(Arbitrary<int[]> deviations, Action<int[]> law) =>
-        FsCheck.Check.One(Config.QuickThrowOnFailure.WithMaxTest(60), Prop.ForAll(deviations, law));
+        FsCheck.Check.One(Config.QuickThrowOnFailure.WithMaxTest(Depth.Of(30, 100)), Prop.ForAll(deviations, law));
 
     private static MatchCase Case(int[] micrometers, double scale) =>
         new(Contour) { Theoretical = Points(new int[Places.Length], 1), Part = Points(micrometers, scale), Features = Features };
