@@ -42,7 +42,7 @@ internal sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDis
     {
         ArgumentNullException.ThrowIfNull(archive);
         ArgumentNullException.ThrowIfNull(archiveUnread);
-        Guarded(_claims.Begin);
+        InFolder(_claims.Begin);
         try
         {
             return TakeHeld(archive, archiveUnread, cancellation);
@@ -59,7 +59,7 @@ internal sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDis
         _held.Clear();
         if (_mayHaveClaims)
         {
-            foreach (var file in Guarded(Claimed))
+            foreach (var file in InFolder(Claimed))
             {
                 taken += Pass(file) ? 1 : 0;
             }
@@ -67,20 +67,20 @@ internal sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDis
             _mayHaveClaims = _held.Count > 0;
         }
 
-        if (!Guarded(
+        if (!InFolder(
             () => Directory.Exists(_folder) ? _hint.IsWorthALook() : throw new DirectoryNotFoundException("there is no such folder")))
         {
             return taken;
         }
 
-        foreach (var file in Guarded(() => _finished.Of(new(_folder))))
+        foreach (var file in InFolder(() => _finished.Of(new(_folder))))
         {
             cancellation.ThrowIfCancellationRequested();
 
             // Whatever happens from here on, the next look starts with the claimed files.
             var before = _mayHaveClaims;
             _mayHaveClaims = true;
-            if (Guarded(() => Claim(file.Name)) is not { } claimed)
+            if (InFolder(() => Claim(file.Name)) is not { } claimed)
             {
                 if (File.Exists(Path.Combine(_folder, file.Name)))
                 {
@@ -211,10 +211,10 @@ internal sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDis
                         return Hold(file, NotRemoved);
                     }
 
-                    Guarded(() => _claims.LayAside(file, hash));
+                    InFolder(() => _claims.LayAside(file, hash));
                     if (description is not null && FileReading.Hash(description, cancellation) is { } described)
                     {
-                        Guarded(() => _claims.LayAside(description, described));
+                        InFolder(() => _claims.LayAside(description, described));
                     }
 
                     return true;
@@ -258,13 +258,13 @@ internal sealed class FileSource(GaugeSettings gauge, TimeProvider clock) : IDis
 
     private Statement Reason(long length) => Recorded.TooLarge.With(length, gauge.Name, gauge.MostBytes, ClaimFolder.Name, _folder);
 
-    private void Guarded(Action act) => Guarded(() =>
+    private void InFolder(Action act) => InFolder(() =>
     {
         act();
         return true;
     });
 
-    private T Guarded<T>(Func<T> look)
+    private T InFolder<T>(Func<T> look)
     {
         try
         {

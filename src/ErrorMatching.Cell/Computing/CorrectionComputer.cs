@@ -20,7 +20,7 @@ public sealed class CorrectionComputer(PolicySettings policy)
     /// <returns><see cref="Identified"/>, or <see cref="RefusedComputation"/> if the job's files cannot be used or the part is not
     /// measured.</returns>
     /// <exception cref="ArgumentException">The request contradicts itself.</exception>
-    public Computation Identify(CorrectionRequest request) => Guarded(request, isAll: false, CancellationToken.None);
+    public Computation Identify(CorrectionRequest request) => RefusingInputs(request, isAll: false, CancellationToken.None);
 
     /// <summary>Computes a correction.</summary>
     /// <param name="request">What it is computed from.</param>
@@ -29,9 +29,10 @@ public sealed class CorrectionComputer(PolicySettings policy)
     /// whatever its content, causes an exception.</returns>
     /// <exception cref="ArgumentException">The request contradicts itself.</exception>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
-    public Computation Compute(CorrectionRequest request, CancellationToken cancellation) => Guarded(request, isAll: true, cancellation);
+    public Computation Compute(CorrectionRequest request, CancellationToken cancellation) =>
+        RefusingInputs(request, isAll: true, cancellation);
 
-    private Computation Guarded(CorrectionRequest request, bool isAll, CancellationToken cancellation)
+    private Computation RefusingInputs(CorrectionRequest request, bool isAll, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(request);
         if (!request.Job.Accumulates && (request.Base is not null || request.Previous is not null || request.Sums.Points.Count > 0))

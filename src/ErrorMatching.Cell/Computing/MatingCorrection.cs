@@ -1,4 +1,5 @@
 using ErrorMatching.Jobs;
+using ErrorMatching.Json;
 using ErrorMatching.Mating;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
@@ -189,7 +190,7 @@ internal sealed class MatingCorrection
 
     private CorrectionBasis Basis(IReadOnlyList<ReportInput> inputs, ReadOnlyMemory<byte> program)
     {
-        var baseSha256 = new StoredFile("", program).Sha256;
+        var baseSha256 = ContentHash.Sha256(program.Span);
         string[] measurements = MakesProgram && IsFeedback
             ? [_request.Measurement.Sha256, _request.Part!.Sha256, .. _request.Previous is { } p ? [p.Sha256] : Array.Empty<string>()]
             : [_request.Measurement.Sha256];

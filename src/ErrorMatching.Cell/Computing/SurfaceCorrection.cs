@@ -1,6 +1,7 @@
 using System.Globalization;
 using ErrorMatching.Freeform;
 using ErrorMatching.Jobs;
+using ErrorMatching.Json;
 using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
 
@@ -138,7 +139,7 @@ internal sealed class SurfaceCorrection
 
     private CorrectionBasis Basis(ReadOnlyMemory<byte>? program)
     {
-        var baseSha256 = program is { } bytes ? new StoredFile("", bytes).Sha256 : null;
+        var baseSha256 = program is { } bytes ? ContentHash.Sha256(bytes.Span) : null;
         return new(
             CorrectionIdentity.Of(
                 _request.Previous is { } previous ? [_request.Measurement.Sha256, previous.Sha256] : [_request.Measurement.Sha256],

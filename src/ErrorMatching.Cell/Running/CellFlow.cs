@@ -145,7 +145,7 @@ internal sealed class CellFlow(
 
     /// <summary>Processes a file. If the file causes an exception, it alone fails, and the next one gets its turn.</summary>
     /// <exception cref="StoreException">The store cannot be used.</exception>
-    public void Guarded(Correction correction, Action work)
+    public void FailingAlone(Correction correction, Action work)
     {
         try
         {

@@ -24,7 +24,7 @@ internal sealed class ComputeWorker(CellFlow flow)
         {
             using var activity = CellTelemetry.Start("compute", recognized);
             await Task.Yield();
-            flow.Guarded(recognized, () => Compute(recognized, stop));
+            flow.FailingAlone(recognized, () => Compute(recognized, stop));
         }
         finally
         {

@@ -23,7 +23,7 @@ internal sealed class RecognizeWorker(CellFlow flow)
             }
 
             using var activity = CellTelemetry.Start("recognize", archived);
-            flow.Guarded(archived, () => Recognize(archived));
+            flow.FailingAlone(archived, () => Recognize(archived));
         }
 
         return Task.FromResult(next.Count < Most ? flow.Idle : TimeSpan.Zero);

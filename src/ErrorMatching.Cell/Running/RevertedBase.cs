@@ -1,3 +1,4 @@
+using ErrorMatching.Json;
 using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
 
@@ -35,7 +36,7 @@ internal sealed record RevertedBase(Correction By)
         {
             return flow.Settings.Jobs.FirstOrDefault(j => j.Name == job) is { } settings
                 && OriginalPrograms.Of(settings) is { } original
-                && new StoredFile("", original).Sha256 == sha256;
+                && ContentHash.Sha256(original.Span) == sha256;
         }
         catch (InputException)
         {

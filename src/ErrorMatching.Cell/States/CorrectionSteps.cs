@@ -13,14 +13,14 @@ internal static class CorrectionSteps
         [
             CorrectionState.Recognized, // RecognizeWorker.Begin
             CorrectionState.Refused, // RecognizeWorker.Refuse
-            CorrectionState.Failed, // CellFlow.Guarded
+            CorrectionState.Failed, // CellFlow.FailingAlone
         ],
         [CorrectionState.Recognized] =
         [
             CorrectionState.Computed, // ComputeWorker.Keep
             CorrectionState.Recorded, // ComputeWorker.Record
             CorrectionState.Refused, // ComputeWorker.Refuse
-            CorrectionState.Failed, // ComputeWorker.Compute, CellFlow.Guarded
+            CorrectionState.Failed, // ComputeWorker.Compute, CellFlow.FailingAlone
         ],
         [CorrectionState.Computed] =
         [

@@ -22,3 +22,8 @@ public sealed record FeaturePass(int First, int Last, IReadOnlyList<double> Star
         return from + ((to - from) * foot.Fraction);
     }
 }
+
+/// <summary>Motions that cut a sought boundary in one pass.</summary>
+/// <param name="First">Position of the first motion in the path.</param>
+/// <param name="Last">Position of the last motion in the path.</param>
+public sealed record FoundPass(int First, int Last);

@@ -3,7 +3,7 @@ using MathNet.Numerics.LinearAlgebra.Factorization;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>The deviations of all elements of a boundary, given the key points: the posterior of a Gaussian process.</summary>
+/// <summary>The deviations of all stretches of a boundary, given the key points: the posterior of a Gaussian process.</summary>
 /// <remarks>Rasmussen and Williams (2006), equations 2.25, 2.26 and 2.30.</remarks>
 internal sealed class DeviationField
 {
@@ -14,7 +14,7 @@ internal sealed class DeviationField
     private readonly IReadOnlyList<BoundaryRow> _rows;
     private readonly Cholesky<double>? _factor;
 
-    // For each element, the places where rows speak of it, with their weights in an estimate.
+    // For each stretch, the places where rows speak of it, with their weights in an estimate.
     private readonly List<(double AlongMm, double Weight)>[] _terms;
 
     public DeviationField(IReadOnlyList<DeviationPrior> priors, IReadOnlyList<BoundaryRow> rows, double uncertaintyMm)
@@ -34,7 +34,7 @@ internal sealed class DeviationField
         {
             foreach (var term in rows[i].Terms)
             {
-                _terms[term.Element].Add((term.AlongMm, weights[i] * term.Weight));
+                _terms[term.Stretch].Add((term.AlongMm, weights[i] * term.Weight));
             }
         }
     }
@@ -59,24 +59,24 @@ internal sealed class DeviationField
     }
 
     /// <summary>The best estimate of the deviation at a place, mm.</summary>
-    public double Mean(int element, double along)
+    public double Mean(int stretch, double along)
     {
         var sum = 0.0;
-        foreach (var (place, weight) in _terms[element])
+        foreach (var (place, weight) in _terms[stretch])
         {
-            sum += weight * _priors[element].Covariance(along, place);
+            sum += weight * _priors[stretch].Covariance(along, place);
         }
 
         return sum;
     }
 
     /// <summary>Standard deviation of the deviation at a place, mm.</summary>
-    public double StandardDeviation(int element, double along)
+    public double StandardDeviation(int stretch, double along)
     {
-        var variance = _priors[element].Covariance(along, along);
+        var variance = _priors[stretch].Covariance(along, along);
         if (_factor is not null)
         {
-            var with = Vector<double>.Build.Dense(_rows.Count, i => WithRow(element, along, i));
+            var with = Vector<double>.Build.Dense(_rows.Count, i => WithRow(stretch, along, i));
             variance -= with.DotProduct(_factor.Solve(with));
         }
 
@@ -84,7 +84,7 @@ internal sealed class DeviationField
     }
 
     /// <summary>The best estimate of a weighted sum of deviations, mm.</summary>
-    public double Mean(IReadOnlyList<RowTerm> terms) => terms.Sum(t => t.Weight * Mean(t.Element, t.AlongMm));
+    public double Mean(IReadOnlyList<RowTerm> terms) => terms.Sum(t => t.Weight * Mean(t.Stretch, t.AlongMm));
 
     /// <summary>What is known about weighted sums of deviations together.</summary>
     public JointDeviation Together(IReadOnlyList<IReadOnlyList<RowTerm>> places)
@@ -111,12 +111,12 @@ internal sealed class DeviationField
         return new(_priors, places, explained);
     }
 
-    private double WithRow(int element, double along, int row)
+    private double WithRow(int stretch, double along, int row)
     {
         var sum = 0.0;
         foreach (var term in _rows[row].Terms)
         {
-            sum += term.Element == element ? term.Weight * _priors[element].Covariance(along, term.AlongMm) : 0;
+            sum += term.Stretch == stretch ? term.Weight * _priors[stretch].Covariance(along, term.AlongMm) : 0;
         }
 
         return sum;
@@ -131,8 +131,8 @@ internal sealed class DeviationField
         {
             foreach (var other in others)
             {
-                sum += term.Element == other.Element
-                    ? term.Weight * other.Weight * priors[term.Element].Covariance(term.AlongMm, other.AlongMm)
+                sum += term.Stretch == other.Stretch
+                    ? term.Weight * other.Weight * priors[term.Stretch].Covariance(term.AlongMm, other.AlongMm)
                     : 0;
             }
         }
@@ -141,16 +141,16 @@ internal sealed class DeviationField
     }
 }
 
-/// <summary>What one key point says about the deviations of elements: their weighted sum is the measured value.</summary>
-/// <param name="Terms">One term for a point beside an element, two in the round of a corner.</param>
+/// <summary>What one key point says about the deviations of stretches: their weighted sum is the measured value.</summary>
+/// <param name="Terms">One term for a point beside a stretch, two in the round of a corner.</param>
 /// <param name="ValueMm">The measured value, from the counterpart's material to its tool.</param>
 internal sealed record BoundaryRow(IReadOnlyList<RowTerm> Terms, double ValueMm);
 
 /// <summary>A share of a row.</summary>
-/// <param name="Element">Index of the element.</param>
+/// <param name="Stretch">Index of the stretch among those of its run.</param>
 /// <param name="AlongMm">Place on it: length along the boundary.</param>
 /// <param name="Weight">The weight.</param>
-internal sealed record RowTerm(int Element, double AlongMm, double Weight);
+internal sealed record RowTerm(int Stretch, double AlongMm, double Weight);
 
 /// <summary>The posterior covariance of deviations at several places of one field.</summary>
 /// <remarks>Rasmussen and Williams (2006), equation 2.24: what was not known before, less what the key points explain.</remarks>
@@ -161,7 +161,7 @@ internal sealed class JointDeviation
     private readonly double[][] _explained;
 
     /// <summary>Creates it.</summary>
-    /// <param name="priors">The priors of the elements.</param>
+    /// <param name="priors">The priors of the stretches.</param>
     /// <param name="places">The places.</param>
     /// <param name="explained">For each place, its covariances with the key points, divided by the factor of theirs.</param>
     public JointDeviation(IReadOnlyList<DeviationPrior> priors, IReadOnlyList<IReadOnlyList<RowTerm>> places, double[][] explained) =>

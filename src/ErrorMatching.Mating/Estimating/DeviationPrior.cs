@@ -2,7 +2,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>What is known about the deviation of an element before it is measured: a Gaussian process over the length along the boundary.
+/// <summary>What is known about the deviation of a stretch before it is measured: a Gaussian process over the length along the boundary.
 /// Its covariance is the sum of a shift, a tilt, the change of an arc and a form error of some scales, or of the terms of a
 /// polynomial.</summary>
 /// <remarks>Rasmussen and Williams, Gaussian Processes for Machine Learning (2006), sections 2.7 and 4.2.</remarks>
@@ -11,7 +11,7 @@ internal sealed class DeviationPrior
     /// <summary>Standard deviation of what the points alone determine, mm.</summary>
     public const double VagueMm = 1;
 
-    private readonly Stretch _element;
+    private readonly Stretch _stretch;
     private double[] _deviations;
 
     // An array, because the sum over it is the innermost loop of an estimate.
@@ -21,20 +21,20 @@ internal sealed class DeviationPrior
     private readonly (double Shift, double Before, double Norm)[] _terms;
 
     /// <summary>Creates the prior.</summary>
-    /// <param name="element">The element.</param>
+    /// <param name="stretch">The stretch.</param>
     /// <param name="tiltMm">Standard deviation of the tilt at both ends, and of the change of an arc.</param>
     /// <param name="uncertaintyMm">Standard uncertainty of a point; scales the ridge of a polynomial.</param>
     /// <param name="places">The places of its own key points, for the terms of a polynomial.</param>
-    public DeviationPrior(Stretch element, double tiltMm, double uncertaintyMm, IReadOnlyList<double> places)
+    public DeviationPrior(Stretch stretch, double tiltMm, double uncertaintyMm, IReadOnlyList<double> places)
     {
-        _element = element;
-        TiltMm = element.Form == ElementForm.Free ? null : tiltMm;
-        _terms = element.Degree is { } degree ? TermsOf(places, Math.Min(degree, places.Count - 1)) : [];
-        _deviations = element switch
+        _stretch = stretch;
+        TiltMm = stretch.Form == ElementForm.Free ? null : tiltMm;
+        _terms = stretch.Degree is { } degree ? TermsOf(places, Math.Min(degree, places.Count - 1)) : [];
+        _deviations = stretch switch
         {
             { Form: ElementForm.Straight } => [VagueMm, tiltMm],
             { Form: ElementForm.Arc } => [VagueMm, tiltMm, tiltMm],
-            { Degree: not null } => [.. _terms.Select((_, k) => OfTerm(k, element.Ridge, uncertaintyMm))],
+            { Degree: not null } => [.. _terms.Select((_, k) => OfTerm(k, stretch.Ridge, uncertaintyMm))],
             _ => [VagueMm, VagueMm],
         };
     }
@@ -75,11 +75,11 @@ internal sealed class DeviationPrior
 
     private double OfShape(double along, double other)
     {
-        var (t, v) = (_element.Relative(along), _element.Relative(other));
-        if (_element.Form == ElementForm.Arc)
+        var (t, v) = (_stretch.Relative(along), _stretch.Relative(other));
+        if (_stretch.Form == ElementForm.Arc)
         {
-            var half = Math.Min(_element.Sweep, Math.PI) / 2;
-            var (a, b) = (t * _element.Sweep / 2, v * _element.Sweep / 2);
+            var half = Math.Min(_stretch.Sweep, Math.PI) / 2;
+            var (a, b) = (t * _stretch.Sweep / 2, v * _stretch.Sweep / 2);
             var (sine, bend) = (Elementary.Sin(half), 1 - Elementary.Cos(half));
             return Square(_deviations[0])
                 + (Square(_deviations[1] / sine) * Elementary.Sin(a) * Elementary.Sin(b))

@@ -2,7 +2,7 @@ using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Mating;
 
-/// <summary>Chooses the priors of a boundary's elements by the evidence of its key points. A curve has an amplitude and lengths of
+/// <summary>Chooses the priors of a boundary's stretches by the evidence of its key points. A curve has an amplitude and lengths of
 /// correlation of its own. All lines, flanks and arcs of a job share the scale of their tilts and that of their form errors, because each
 /// has too few points to tell.</summary>
 /// <remarks>Each scale is a mean over a grid, weighted by the likelihood of the measured values (Rasmussen and Williams, 2006, section
@@ -29,19 +29,19 @@ internal static class PriorChoice
     private const double LeastWeight = 0.01;
 
     /// <summary>Chooses the priors.</summary>
-    /// <param name="elements">The elements of a run.</param>
+    /// <param name="stretches">The stretches of a run.</param>
     /// <param name="rows">What its key points say.</param>
     /// <param name="uncertaintyMm">Standard uncertainty of a row.</param>
     /// <returns>The priors for the cuts, in which a line runs through its two points, because they say nothing else; and those for the
     /// uncertainty between key points, in which its form may be off by as much as that of the others.</returns>
     public static (DeviationPrior[] OfCuts, DeviationPrior[] OfPiece) Of(
-        IReadOnlyList<Stretch> elements, IReadOnlyList<BoundaryRow> rows, double uncertaintyMm)
+        IReadOnlyList<Stretch> stretches, IReadOnlyList<BoundaryRow> rows, double uncertaintyMm)
     {
         var noise = Math.Max(uncertaintyMm, DeviationField.LeastUncertaintyMm);
         rows = Thinned(rows);
-        var own = elements.Select((_, e) => rows.Where(r => r.Terms.Count == 1 && r.Terms[0].Element == e).ToArray()).ToArray();
-        var forms = elements.Select((element, e) => FormOf(element, own[e], noise)).ToArray();
-        if (rows.Count == 0 || elements.All(e => e.Form == ElementForm.Free))
+        var own = stretches.Select((_, e) => rows.Where(r => r.Terms.Count == 1 && r.Terms[0].Stretch == e).ToArray()).ToArray();
+        var forms = stretches.Select((stretch, e) => FormOf(stretch, own[e], noise)).ToArray();
+        if (rows.Count == 0 || stretches.All(e => e.Form == ElementForm.Free))
         {
             var vague = Priors(DeviationPrior.VagueMm, LeastForm(noise), isCut: true);
             return (vague, vague);
@@ -49,7 +49,7 @@ internal static class PriorChoice
 
         // The covariance is linear in the square of each scale.
         var largest = Math.Max(rows.Max(r => Math.Abs(r.ValueMm)), 4 * noise);
-        var form = FormOfStraight(elements, own, noise, largest);
+        var form = FormOfStraight(stretches, own, noise, largest);
         var (still, tilted) = (Covariance(0), Covariance(1));
         double[] values = [.. rows.Select(r => r.ValueMm)];
         var scale = MeanOf(Steps(noise, 2 * largest, Tilts), tilt => LogOf(still, tilted, tilt, values));
@@ -59,29 +59,29 @@ internal static class PriorChoice
 
         DeviationPrior[] Priors(double tilt, IReadOnlyList<(double Variance, double Part)> form, bool isCut) =>
             [
-                .. elements.Select(
-                    (element, e) => new DeviationPrior(element, tilt, noise, [.. own[e].Select(r => r.Terms[0].AlongMm)])
+                .. stretches.Select(
+                    (stretch, e) => new DeviationPrior(stretch, tilt, noise, [.. own[e].Select(r => r.Terms[0].AlongMm)])
                     {
-                        Form = element.Form == ElementForm.Free ? forms[e]
+                        Form = stretch.Form == ElementForm.Free ? forms[e]
                             : FormOf(
-                                element,
+                                stretch,
                                 isCut && own[e].Length == 2 ? LeastForm(noise)
-                                    : element.FormMm is { } mm ? [(mm * mm, StatedFormLength)] : form)
+                                    : stretch.FormMm is { } mm ? [(mm * mm, StatedFormLength)] : form)
                     })];
     }
 
     // The form errors of lines, flanks and arcs, from those with more points than they need. Their tilts are vague, so that the likelihood
-    // is the restricted one. Without such an element, nothing tells a form error.
+    // is the restricted one. Without such a stretch, nothing tells a form error.
     private static IReadOnlyList<(double Variance, double Part)> FormOfStraight(
-        IReadOnlyList<Stretch> elements, BoundaryRow[][] own, double noise, double largest)
+        IReadOnlyList<Stretch> stretches, BoundaryRow[][] own, double noise, double largest)
     {
         var alone = new List<StraightRows>();
-        for (var e = 0; e < elements.Count; e++)
+        for (var e = 0; e < stretches.Count; e++)
         {
-            if (elements[e].Form != ElementForm.Free && own[e].Length > (elements[e].Form == ElementForm.Straight ? 2 : 3))
+            if (stretches[e].Form != ElementForm.Free && own[e].Length > (stretches[e].Form == ElementForm.Straight ? 2 : 3))
             {
-                BoundaryRow[] rows = [.. own[e].Select(r => r with { Terms = [r.Terms[0] with { Element = 0 }] })];
-                alone.Add(new(elements[e], rows, Covariance(elements[e], rows, []), [.. rows.Select(r => r.ValueMm)]));
+                BoundaryRow[] rows = [.. own[e].Select(r => r with { Terms = [r.Terms[0] with { Stretch = 0 }] })];
+                alone.Add(new(stretches[e], rows, Covariance(stretches[e], rows, []), [.. rows.Select(r => r.ValueMm)]));
             }
         }
 
@@ -98,16 +98,16 @@ internal static class PriorChoice
                 error => new TriedForm(part, error, alone.Select((a, i) => LogOf(a.Smooth, rough[i], error, a.Values)).Sum()));
         })]);
 
-        double[] Covariance(Stretch element, BoundaryRow[] rows, IReadOnlyList<(double, double)> form) =>
+        double[] Covariance(Stretch stretch, BoundaryRow[] rows, IReadOnlyList<(double, double)> form) =>
             DeviationField.CovarianceOf(
-                [new DeviationPrior(element, DeviationPrior.VagueMm, noise, []) { Form = FormOf(element, form) }], rows, noise);
+                [new DeviationPrior(stretch, DeviationPrior.VagueMm, noise, []) { Form = FormOf(stretch, form) }], rows, noise);
     }
 
     private static IReadOnlyList<(double Variance, double Part)> LeastForm(double noise) =>
         [(Elementary.Pow(LeastError * noise, 2), _formLengths[2])];
 
-    private static (double, double)[] FormOf(Stretch element, IReadOnlyList<(double Variance, double Part)> form) =>
-        [.. form.Select(f => (f.Variance, f.Part * (element.ToMm - element.FromMm)))];
+    private static (double, double)[] FormOf(Stretch stretch, IReadOnlyList<(double Variance, double Part)> form) =>
+        [.. form.Select(f => (f.Variance, f.Part * (stretch.ToMm - stretch.FromMm)))];
 
     // For each length, the mean of the logarithms of the scale; all of them weighted by their evidence.
     private static List<(double Variance, double Length)> Mixture(IReadOnlyList<TriedForm> tried)
@@ -150,9 +150,9 @@ internal static class PriorChoice
         Elementary.Exp(Weights(scales.Select(log)).Select((w, i) => w * Elementary.Log(scales[i])).Sum());
 
     // Amplitude and lengths of a curve's form.
-    private static List<(double Variance, double Length)> FormOf(Stretch element, BoundaryRow[] rows, double noise)
+    private static List<(double Variance, double Length)> FormOf(Stretch stretch, BoundaryRow[] rows, double noise)
     {
-        if (element is not { Form: ElementForm.Free, Degree: null } || rows.Length < 3)
+        if (stretch is not { Form: ElementForm.Free, Degree: null } || rows.Length < 3)
         {
             return [];
         }
@@ -162,8 +162,8 @@ internal static class PriorChoice
         var span = along.Max() - along.Min();
         var scatter = values.Max() - values.Min();
         var amplitudes = Steps(noise / 2, Math.Max(2 * scatter, 2 * noise), Amplitudes);
-        BoundaryRow[] alone = [.. rows.Select(r => new BoundaryRow([r.Terms[0] with { Element = 0 }], r.ValueMm))];
-        var flat = DeviationField.CovarianceOf([new DeviationPrior(element, 0, noise, along)], alone, noise);
+        BoundaryRow[] alone = [.. rows.Select(r => new BoundaryRow([r.Terms[0] with { Stretch = 0 }], r.ValueMm))];
+        var flat = DeviationField.CovarianceOf([new DeviationPrior(stretch, 0, noise, along)], alone, noise);
         var (work, form) = (new double[flat.Length], new double[flat.Length]);
         var tried = new List<TriedForm>();
         foreach (var length in Steps(0.5 * span / (rows.Length - 1), 1.5 * span, Lengths))

@@ -78,7 +78,7 @@ internal sealed class RunEstimate
     public IReadOnlyList<Stretch> Stretches { get; private set; }
 
     /// <summary>The passes whose boundary a term speaks of.</summary>
-    public IEnumerable<FeaturePass> PassesOf(RowTerm term) => CurvesOf(Stretches[term.Element]).Select(c => c.Pass);
+    public IEnumerable<FeaturePass> PassesOf(RowTerm term) => CurvesOf(Stretches[term.Stretch]).Select(c => c.Pass);
 
     // The stretch of an element, and what is added to a length along the element there.
     private (int Index, double OffsetMm) StretchOf(BoundaryElement element)
@@ -195,7 +195,7 @@ internal sealed class RunEstimate
     private static bool Agree(BoundaryRow? one, BoundaryRow? other) => one is null || other is null
         ? ReferenceEquals(one, other)
         : Math.Abs(one.ValueMm - other.ValueMm) <= Rounding
-            && one.Terms.Select(t => t.Element).SequenceEqual(other.Terms.Select(t => t.Element));
+            && one.Terms.Select(t => t.Stretch).SequenceEqual(other.Terms.Select(t => t.Stretch));
 
     /// <summary>Estimates the deviations from the last comparison. The first one chooses the priors.</summary>
     /// <param name="isWhole">True for the piece itself, false for what the cuts are to follow.</param>

@@ -101,10 +101,10 @@ internal sealed class PairEstimator
     // which the estimate has smoothed. A cut at another depth makes the same boundary once more.
     private void AddElements(RunEstimate run, ComparedPlace[] compared, RunPath cuts, int step)
     {
-        var between = compared.Where(p => p.Point < 0).Select(p => p.Terms[0].Element).ToHashSet();
+        var between = compared.Where(p => p.Point < 0).Select(p => p.Terms[0].Stretch).ToHashSet();
         ComparedPlace[] places = [
             .. compared.Where(p => p.Terms.Count > 0 && IsFirstPass(run, p)
-                && (p.Point < 0 || p.Terms.Count > 1 || p.Terms[0].Weight != 1 || !between.Contains(p.Terms[0].Element)))];
+                && (p.Point < 0 || p.Terms.Count > 1 || p.Terms[0].Weight != 1 || !between.Contains(p.Terms[0].Stretch)))];
         places = [.. places.Where((p, i) => p.Point >= 0 || i % step == 0 || IsEnd(i))];
         if (places.Length == 0)
         {
@@ -121,7 +121,7 @@ internal sealed class PairEstimator
         // The first or the last place of an element, where a part touches most often.
         bool IsEnd(int i) => i == 0 || i == places.Length - 1 || ElementOf(i - 1) != ElementOf(i) || ElementOf(i + 1) != ElementOf(i);
 
-        int ElementOf(int i) => places[i].Point >= 0 ? -1 : places[i].Terms[0].Element;
+        int ElementOf(int i) => places[i].Point >= 0 ? -1 : places[i].Terms[0].Stretch;
     }
 
     private bool IsFirstPass(RunEstimate run, ComparedPlace place) => place.Terms.All(

@@ -26,12 +26,12 @@ public sealed record ScatterRatio(double Ratio, double From, double To)
     /// <summary>The ratio that explains the points best; null if they do not tell one.</summary>
     /// <remarks>The evidence of the values for each ratio, with the scales of the course chosen again for each (Rasmussen and Williams
     /// 2006, section 5.4.1), as a density over the logarithm of the ratio.</remarks>
-    /// <param name="runs">The elements of each run, and what its key points say.</param>
+    /// <param name="runs">The stretches of each run, and what its key points say.</param>
     /// <param name="uncertaintyMm">The stated standard uncertainty.</param>
     internal static ScatterRatio? Estimate(
-        IReadOnlyList<(IReadOnlyList<Stretch> Elements, BoundaryRow[] Rows)> runs, double uncertaintyMm)
+        IReadOnlyList<(IReadOnlyList<Stretch> Stretches, BoundaryRow[] Rows)> runs, double uncertaintyMm)
     {
-        var told = runs.Where(r => r.Rows.Length >= Fewest && r.Elements.Count > 0).ToArray();
+        var told = runs.Where(r => r.Rows.Length >= Fewest && r.Stretches.Count > 0).ToArray();
         if (told.Length == 0 || uncertaintyMm <= DeviationField.LeastUncertaintyMm)
         {
             return null;
@@ -42,11 +42,11 @@ public sealed record ScatterRatio(double Ratio, double From, double To)
         for (var k = 0; k <= Steps; k++)
         {
             ratios[k] = k == 0 ? Least : ratios[k - 1] * Step;
-            foreach (var (elements, rows) in told)
+            foreach (var (stretches, rows) in told)
             {
                 var noise = ratios[k] * uncertaintyMm;
                 logs[k] += Evidence.Log(
-                    DeviationField.CovarianceOf(PriorChoice.Of(elements, rows, noise).OfPiece, rows, noise),
+                    DeviationField.CovarianceOf(PriorChoice.Of(stretches, rows, noise).OfPiece, rows, noise),
                     [.. rows.Select(r => r.ValueMm)]);
             }
         }

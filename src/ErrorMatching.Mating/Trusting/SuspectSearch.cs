@@ -30,16 +30,16 @@ internal static class SuspectSearch
     /// 100 random parts with smooth errors has a false name, where the stated uncertainty is right (<c>SuspectSearchTests</c>).</summary>
     private static double MostSigmas(int points) => points switch { <= 5 => 6, 6 => 5, _ => 4.3 };
 
-    /// <summary>Searches the points of a run that has elements with a course.</summary>
+    /// <summary>Searches the points of a run that has stretches with a course.</summary>
     /// <remarks>With the covariance K of all values, point i is off by r = [K^-1 y]_i / [K^-1]_ii with the standard deviation
     /// s = [K^-1]_ii^-1/2 (Rasmussen and Williams 2006, section 5.4.2; method, section 11). The scales of K are learned without the
     /// point, because a bad point widens them until it fits.</remarks>
-    /// <param name="elements">The elements of the run.</param>
+    /// <param name="stretches">The stretches of the run.</param>
     /// <param name="rows">What its key points say.</param>
     /// <param name="uncertaintyMm">Standard uncertainty of a row.</param>
     public static IReadOnlyList<Suspect> AlongCourse(
-        IReadOnlyList<Stretch> elements, IReadOnlyList<BoundaryRow> rows, double uncertaintyMm) =>
-        All(rows.Count, left => WorstAlongCourse(elements, [.. left.Select(i => rows[i])], uncertaintyMm), MostSigmas);
+        IReadOnlyList<Stretch> stretches, IReadOnlyList<BoundaryRow> rows, double uncertaintyMm) =>
+        All(rows.Count, left => WorstAlongCourse(stretches, [.. left.Select(i => rows[i])], uncertaintyMm), MostSigmas);
 
     /// <summary>Searches the points around a feature without a course, such as a bore: what they have in common is a shift, a turn and a
     /// growth.</summary>
@@ -73,20 +73,20 @@ internal static class SuspectSearch
         return found;
     }
 
-    private static Suspect? WorstAlongCourse(IReadOnlyList<Stretch> elements, BoundaryRow[] rows, double uncertaintyMm)
+    private static Suspect? WorstAlongCourse(IReadOnlyList<Stretch> stretches, BoundaryRow[] rows, double uncertaintyMm)
     {
-        var all = LeftOut(PriorChoice.Of(elements, rows, uncertaintyMm).OfPiece, rows, uncertaintyMm);
+        var all = LeftOut(PriorChoice.Of(stretches, rows, uncertaintyMm).OfPiece, rows, uncertaintyMm);
         return Enumerable.Range(0, rows.Length).OrderByDescending(i => Math.Abs(all[i].Off / all[i].Sigma)).Take(Tried).Select(i =>
         {
-            var (off, sigma) = WithoutIt(elements, rows, i, uncertaintyMm);
-            return new Suspect(i, off, off / sigma) { Share = IsEnd(elements, rows, i) ? OfEnd : 1 };
+            var (off, sigma) = WithoutIt(stretches, rows, i, uncertaintyMm);
+            return new Suspect(i, off, off / sigma) { Share = IsEnd(stretches, rows, i) ? OfEnd : 1 };
         }).MaxBy(s => s.Judged);
     }
 
     // The stated uncertainty may be too small: then all points scatter, and none is wrong. Of the noises that explain the others nearly as
     // well as the best one, the one that allows the point the most counts.
     private static (double Off, double Sigma) WithoutIt(
-        IReadOnlyList<Stretch> elements, BoundaryRow[] rows, int row, double uncertaintyMm)
+        IReadOnlyList<Stretch> stretches, BoundaryRow[] rows, int row, double uncertaintyMm)
     {
         BoundaryRow[] others = [.. rows.Where((_, k) => k != row)];
         double[] values = [.. others.Select(r => r.ValueMm)];
@@ -94,7 +94,7 @@ internal static class SuspectSearch
         foreach (var factor in Noises)
         {
             var noise = factor * Math.Max(uncertaintyMm, DeviationField.LeastUncertaintyMm);
-            var priors = PriorChoice.Of(elements, others, noise).OfPiece;
+            var priors = PriorChoice.Of(stretches, others, noise).OfPiece;
             tried.Add((Evidence.Log(DeviationField.CovarianceOf(priors, others, noise), values), LeftOut(priors, rows, noise)[row]));
         }
 
@@ -103,14 +103,14 @@ internal static class SuspectSearch
     }
 
     // The outermost point of a curve.
-    private static bool IsEnd(IReadOnlyList<Stretch> elements, BoundaryRow[] rows, int row)
+    private static bool IsEnd(IReadOnlyList<Stretch> stretches, BoundaryRow[] rows, int row)
     {
-        if (rows[row].Terms is not [var own] || elements[own.Element].Form != ElementForm.Free)
+        if (rows[row].Terms is not [var own] || stretches[own.Stretch].Form != ElementForm.Free)
         {
             return false;
         }
 
-        double[] places = [.. rows.SelectMany(r => r.Terms).Where(t => t.Element == own.Element).Select(t => t.AlongMm)];
+        double[] places = [.. rows.SelectMany(r => r.Terms).Where(t => t.Stretch == own.Stretch).Select(t => t.AlongMm)];
         return own.AlongMm <= places.Min() || own.AlongMm >= places.Max();
     }
 

@@ -4,7 +4,7 @@ namespace ErrorMatching.Nc;
 
 /// <summary>Builds arcs from the words of a block: center words, a radius, an opening angle, an intermediate point, or the direction of
 /// the previous motion.</summary>
-internal sealed class Arcs(NcControl control, Corners corners, PoleCodes pole)
+internal sealed class Arcs(NcControl control, Corners corners, StatedPole pole)
 {
     private const double Kilometer = 1e6;
 

@@ -22,7 +22,7 @@ internal sealed class BlockExecutor
     private readonly ToolMoves _moves;
     private readonly Corners _corners;
     private readonly PolarEnds _polar;
-    private readonly PoleCodes _pole;
+    private readonly StatedPole _statedPole;
     private readonly Arcs _arcs;
     private readonly CannedCycles _canned;
     private readonly BlockCycles _cycles;
@@ -48,8 +48,8 @@ internal sealed class BlockExecutor
         _modeWords = new(control);
         _corners = new(control);
         _polar = new(control);
-        _pole = new(control);
-        _arcs = new(control, _corners, _pole);
+        _statedPole = new(control);
+        _arcs = new(control, _corners, _statedPole);
         _canned = new(control, Refusals);
         _cycles = new(control, _corners, _canned);
         _calls = new(control, _corners);
@@ -223,7 +223,7 @@ internal sealed class BlockExecutor
                 _origins.Run();
                 break;
             case AxisUse.Center:
-                _pole.Set();
+                _statedPole.Set();
                 break;
             case AxisUse.Corner:
                 _corners.KeepForLast(_intent.Code);
@@ -334,14 +334,14 @@ internal sealed class BlockExecutor
 
         flags |= _words is { HasPolarEnd: false, IsPolar: false } ? MotionFlags.None
             : _transforms.AreMoreThanShift ? MotionFlags.Transformed
-            : !_words.HasPolarEnd && _pole.IsPlainArc() ? MotionFlags.PolarEnd
+            : !_words.HasPolarEnd && _statedPole.IsPlainArc() ? MotionFlags.PolarEnd
             : MotionFlags.Transformed | MotionFlags.PolarEnd;
         flags |= state.Form == NcMeaning.ThreadCut ? MotionFlags.Cycle : MotionFlags.None;
         var kind = _intent.Probes ? MotionKind.Probe : state.Mode;
         var plane = state.Plane;
         state.WorksInXY = _dialect.BlocksNameMotions ? plane == CoordinatePlane.XY : state.WorksInXY;
-        state.Plane = _pole.Plane;
-        var (end, unknown) = _words.HasPolarEnd ? PolarTarget(kind, ref flags) : _intent.AboutPole ? _pole.Target() : _moves.Target();
+        state.Plane = _statedPole.Plane;
+        var (end, unknown) = _words.HasPolarEnd ? PolarTarget(kind, ref flags) : _intent.AboutPole ? _statedPole.Target() : _moves.Target();
         unknown |= EndsSomewhere() && !_words.IsPolar ? state.Plane.Axes() & ~_values.GivenAxes() : AxisSet.None;
         if (kind is MotionKind.ArcClockwise or MotionKind.ArcCounterClockwise)
         {

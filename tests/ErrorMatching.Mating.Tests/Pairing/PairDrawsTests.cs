@@ -53,7 +53,7 @@ public sealed class PairDrawsTests
         for (var k = 0; k < places.Length; k++)
         {
             Assert.Equal(mean[k], field.Mean(places[k]), 1e-9);
-            Assert.Equal(Math.Sqrt(covariance[k, k]), field.StandardDeviation(places[k][0].Element, places[k][0].AlongMm), 1e-8);
+            Assert.Equal(Math.Sqrt(covariance[k, k]), field.StandardDeviation(places[k][0].Stretch, places[k][0].AlongMm), 1e-8);
             for (var j = 0; j < places.Length; j++)
             {
                 Assert.Equal(covariance[k, j], joint.Covariance(k, j), 1e-10);
@@ -170,6 +170,6 @@ public sealed class PairDrawsTests
         Matrix<double> Covariance(RowTerm[] one, RowTerm[] other) => Matrix<double>.Build.Dense(
             one.Length,
             other.Length,
-            (i, j) => one[i].Element == other[j].Element ? priors[one[i].Element].Covariance(one[i].AlongMm, other[j].AlongMm) : 0);
+            (i, j) => one[i].Stretch == other[j].Stretch ? priors[one[i].Stretch].Covariance(one[i].AlongMm, other[j].AlongMm) : 0);
     }
 }
