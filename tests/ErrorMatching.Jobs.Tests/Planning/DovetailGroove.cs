@@ -28,7 +28,10 @@ internal static class DovetailGroove
     public static double OffMm(ReportKeyPoint point) => (point.Actual - point.Theoretical).Dot(point.Normal);
 
     /// <summary>The material of the groove, in its own frame; of a key with the same boundary, the material below it.</summary>
-    public static IReadOnlyList<Point2> Polygon(bool ofKey = false)
+    public static IReadOnlyList<Point2> Polygon(bool ofKey = false) => Polygon(DisplacedMm, ofKey, 2000);
+
+    /// <summary>The same of a groove with other displacements, in which the cam has so many chords.</summary>
+    public static IReadOnlyList<Point2> Polygon(IReadOnlyDictionary<string, double> displacedMm, bool ofKey, int chords)
     {
         var (half, deep) = (Math.Sqrt(3) / 2, -30.0);
         (Point2 At, Vector2 Along)[] lines =
@@ -47,9 +50,9 @@ internal static class DovetailGroove
         }
 
         points.Add(new(From, D("T2")));
-        for (var k = 0; k <= 2000; k++)
+        for (var k = 0; k <= chords; k++)
         {
-            var x = From + ((To - From) * k / 2000);
+            var x = From + ((To - From) * k / chords);
             var phase = Math.PI * (x - From) / (To - From);
             var slope = new Vector2(1, Rise * Math.PI / (To - From) * Math.Cos(phase));
             points.Add(new Point2(x, Rise * Math.Sin(phase)) + (slope.Normalize().Left * D("C1")));
@@ -65,7 +68,7 @@ internal static class DovetailGroove
         points.Add(last[2].At);
         return [.. points, new(200, ofKey ? -100 : 100), new(-200, ofKey ? -100 : 100)];
 
-        double D(string feature) => DisplacedMm[feature];
+        double D(string feature) => displacedMm[feature];
 
         // Along the boundary with the key's material on the right, so that its tool is on the left.
         (Point2 At, Vector2 Along) Moved(string feature, Point2 at, Vector2 along) => (at + (along.Left * D(feature)), along);

@@ -44,7 +44,7 @@ public sealed class ClosedLoopTests(LinuxCncControl control) : IClassFixture<Lin
         await control.RunAsync();
         await control.UntilStatusAsync("IDLE");
         Assert.Equal(50, (await control.PlaceAsync()).Z, 6);
-        var path = await CutAsync();
+        var path = await control.LastCutAsync(Depth);
         using var report = JsonDocument.Parse(cell.Store.Content(verified.ReportSha256!));
         var points = report.RootElement.GetProperty("keyPoints").EnumerateArray().Select(p => Judge(p, path)).ToArray();
         Assert.Equal(8, points.Length);
@@ -86,71 +86,9 @@ public sealed class ClosedLoopTests(LinuxCncControl control) : IClassFixture<Lin
         return Math.Sqrt(Math.Pow(x - s.First.X - (t * dx), 2) + Math.Pow(y - s.First.Y - (t * dy), 2));
     });
 
-    // The last cut at full depth, in the sampler's file; its writer keeps some tenths of a second back.
-    private async Task<List<(double X, double Y)>> CutAsync()
-    {
-        List<(double X, double Y)> cut = [];
-        await control.UntilAsync(async () =>
-        {
-            cut = [];
-            var isDeep = false;
-            await using var file = new FileStream(control.Sampled, FileMode.Open, FileAccess.Read, FileShare.ReadWrite);
-            using var lines = new StreamReader(file, Encoding.ASCII);
-            while (await lines.ReadLineAsync(Token) is { } line)
-            {
-                Assert.DoesNotContain("overrun", line, StringComparison.Ordinal);
-
-                // Each line ends with a space: half of one is read again.
-                if (line.Split(' ') is not [_, var x, var y, var z, ""])
-                    continue;
-                isDeep = Number(z) < Depth + 1e-6;
-                if (isDeep)
-                    cut.Add((Number(x), Number(y)));
-            }
-
-            return cut.Count > 0 && !isDeep;
-        });
-        return cut;
-
-        static double Number(string text) => double.Parse(text, CultureInfo.InvariantCulture);
-    }
-
-    // The program of "job probe", by a template of the shop: each point is touched fast, left slowly, and touched again slowly from a few
-    // hundredths of a millimeter. The log appears at once.
     private string ProbingProgram(string job)
     {
-        var template = Path.Combine(Path.GetDirectoryName(job)!, "twice.probing");
-        File.WriteAllText(template, $$"""
-            @about LinuxCNC, touches twice
-            @body
-            (probe {job})
-            G21 G17 G40 G49 G90 G94 G54
-            @if tool
-            T{tool.number} M6
-            @endif
-            G0 Z{clearance.z}
-            @each point
-            (point {point}: {name})
-            G0 X{approach.x} Y{approach.y}
-            Z{approach.z}
-            G38.2 X{overtravel.x} Y{overtravel.y} F300
-            G38.4 X{approach.x} Y{approach.y} F60
-            G38.2 X{overtravel.x} Y{overtravel.y} F6
-            #10{point}=#5061
-            #11{point}=#5062
-            G0 X{approach.x} Y{approach.y}
-            Z{clearance.z}
-            @next
-            (LOGOPEN,{{Path.Combine(control.Nc, Log)}})
-            (LOG,ERRORMATCH PROBE PLAN {plan} MM)
-            @each point
-            (LOG,P{point} C X#10{point} Y#11{point} Z{approach.z})
-            @next
-            (LOG,END)
-            (LOGCLOSE)
-            M2
-
-            """);
+        var template = TwiceTemplate.Write(Path.GetDirectoryName(job)!, Path.Combine(control.Nc, Log));
         var probed = ProbedJob.Make(
             job,
             new()

@@ -122,6 +122,38 @@ public sealed class LinuxCncControl : IAsyncLifetime
         return (numbers[0], numbers[1], numbers[2]);
     }
 
+    /// <summary>The last cut at a depth, in the sampler's file; its writer keeps some tenths of a second back.</summary>
+    public async Task<List<(double X, double Y)>> LastCutAsync(double depth)
+    {
+        List<(double X, double Y)> cut = [];
+        await UntilAsync(async () =>
+        {
+            cut = [];
+            var isDeep = false;
+            await using var file = new FileStream(Sampled, FileMode.Open, FileAccess.Read, FileShare.ReadWrite);
+            using var lines = new StreamReader(file, Encoding.ASCII);
+            while (await lines.ReadLineAsync(CancellationToken.None) is { } line)
+            {
+                Assert.DoesNotContain("overrun", line, StringComparison.Ordinal);
+
+                // Each line ends with a space: half of one is read again.
+                if (line.Split(' ') is not [_, var x, var y, var z, ""])
+                    continue;
+                var wasDeep = isDeep;
+                isDeep = Number(z) < depth + 1e-6;
+                if (isDeep && !wasDeep)
+                    cut.Clear();
+                if (isDeep)
+                    cut.Add((Number(x), Number(y)));
+            }
+
+            return cut.Count > 0 && !isDeep;
+        });
+        return cut;
+
+        static double Number(string text) => double.Parse(text, CultureInfo.InvariantCulture);
+    }
+
     /// <summary>Waits until something holds.</summary>
     public async Task UntilAsync(Func<Task<bool>> holds)
     {
