@@ -57,7 +57,7 @@ public sealed class WrongInputTests
         foreach (var text in (string[])["%\n", "G0 X1\n", "\0\0\0\0%\nO1\nG0 X1\nM30\n%\0\0", "N10 G0 X1 (\u00e4\u00f6)",
             "\u0012%\nG0\n\u0014"])
         {
-            Assert.Null(ProgramText.Problem(Encoding.Latin1.GetBytes(text)));
+            Assert.Null(ProgramContent.Problem(Encoding.Latin1.GetBytes(text)));
         }
     }
 

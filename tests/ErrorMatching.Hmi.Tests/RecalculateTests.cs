@@ -230,7 +230,7 @@ public sealed class RecalculateTests
         }
     }
 
-    private static RowList<CorrectionRow> Rows(Seat seat) => ((CompensationViewModel)seat.Shell.Current!).Rows;
+    private static RowList<ListedCorrection> Rows(Seat seat) => ((CompensationViewModel)seat.Shell.Current!).Rows;
 
     private static void Change(Seat seat, string was, string now)
     {

@@ -79,7 +79,8 @@ internal static class ArrivalWriter
         arrived = arrived with { Id = id };
         if (transaction.CodeOf(CorrectionRow.Coded(arrived)) is { } code) transaction.Execute(
             "UPDATE correction SET row_code = @code WHERE id = @id", [("code", code), ("id", id)]);
-        StepWriter.Note(transaction, arrived, null, by, basis ?? arrived.Reason ?? Recorded.Arrived.With(arrived.Gauge, arrived.FileName));
+        CorrectionStepWriter.Note(
+            transaction, arrived, null, by, basis ?? arrived.Reason ?? Recorded.Arrived.With(arrived.Gauge, arrived.FileName));
         return arrived;
     }
 
@@ -94,7 +95,7 @@ internal static class ArrivalWriter
         if (!CorrectionSteps.Allows(correction.State, CorrectionState.Superseded)
             || transaction.Value<long>("SELECT version FROM correction WHERE id = @Id", [("Id", correction.Id)]) != correction.Version)
         {
-            throw StepWriter.Conflict(transaction, correction, CorrectionState.Superseded);
+            throw CorrectionStepWriter.Conflict(transaction, correction, CorrectionState.Superseded);
         }
 
         var given = ArrivalWriter.Arrive(
@@ -132,8 +133,8 @@ internal static class ArrivalWriter
             Code = Recalculated,
             Reason = basis,
         });
-        StepWriter.Update(transaction, correction, ended);
-        StepWriter.Note(transaction, ended, correction.State, by, Statement.InARow(basis, reason ?? ""));
+        CorrectionStepWriter.Update(transaction, correction, ended);
+        CorrectionStepWriter.Note(transaction, ended, correction.State, by, Statement.InARow(basis, reason ?? ""));
         return given;
     }
 

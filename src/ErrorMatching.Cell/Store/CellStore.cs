@@ -151,13 +151,13 @@ public sealed class CellStore : IDisposable
         bool isPageOfReport)
     {
         ArgumentNullException.ThrowIfNull(from);
-        StepWriter.DemandAllowed(from, to);
+        CorrectionStepWriter.DemandAllowed(from, to);
         var wanted = CorrectionRow.Stored(with?.Invoke(from) ?? from);
         var kept = StoredContent.Pack(contents ?? [], wanted, isPageOfReport);
         return Write(transaction =>
         {
             foreach (var (sha256, content) in kept) StoredContent.Keep(transaction, sha256, content);
-            return StepWriter.Take(transaction, from, to, by, basis, wanted);
+            return CorrectionStepWriter.Take(transaction, from, to, by, basis, wanted);
         });
     }
 

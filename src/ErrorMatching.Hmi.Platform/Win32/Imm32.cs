@@ -31,7 +31,7 @@ internal static unsafe partial class Imm32
     public struct Form
     {
         public uint Kind;
-        public User32.Place At;
+        public User32.Pixel At;
         public User32.Rect Area;
     }
 
@@ -40,7 +40,7 @@ internal static unsafe partial class Imm32
     public struct CandidateForm
     {
         public uint Index, Kind;
-        public User32.Place At;
+        public User32.Pixel At;
         public User32.Rect Area;
     }
 }

@@ -64,8 +64,8 @@ internal static unsafe partial class User32
     [LibraryImport(Library)] public static partial int ReleaseDC(nint window, nint dc);
     [LibraryImport(Library)] public static partial int GetClientRect(nint window, Rect* rect);
     [LibraryImport(Library)] public static partial int GetWindowRect(nint window, Rect* rect);
-    [LibraryImport(Library)] public static partial int ClientToScreen(nint window, Place* place);
-    [LibraryImport(Library)] public static partial int ScreenToClient(nint window, Place* place);
+    [LibraryImport(Library)] public static partial int ClientToScreen(nint window, Pixel* place);
+    [LibraryImport(Library)] public static partial int ScreenToClient(nint window, Pixel* place);
     [LibraryImport(Library)]
     public static partial int SetWindowPos(nint window, nint after, int x, int y, int width, int height, uint flags);
     [LibraryImport(Library, EntryPoint = "SetWindowLongPtrW")]
@@ -130,7 +130,7 @@ internal static unsafe partial class User32
 
     /// <summary>POINT.</summary>
     [StructLayout(LayoutKind.Sequential)]
-    public struct Place
+    public struct Pixel
     {
         public int X, Y;
     }
@@ -139,7 +139,7 @@ internal static unsafe partial class User32
     [StructLayout(LayoutKind.Sequential)]
     public struct Limits
     {
-        public Place Reserved, MaximizedSize, MaximizedPlace, Least, Most;
+        public Pixel Reserved, MaximizedSize, MaximizedPlace, Least, Most;
     }
 
     /// <summary>PAINTSTRUCT.</summary>

@@ -193,7 +193,7 @@ internal sealed unsafe class Win32Window : PlatformWindow
     /// <summary>The same for coordinates of the screen.</summary>
     public Point AtScreen(nint l)
     {
-        var place = new User32.Place { X = (short)l, Y = (short)(l >> 16) };
+        var place = new User32.Pixel { X = (short)l, Y = (short)(l >> 16) };
         _ = User32.ScreenToClient(Window, &place);
         return new Point(place.X, place.Y) / RenderScaling;
     }
@@ -252,7 +252,7 @@ internal sealed unsafe class Win32Window : PlatformWindow
                 OnSize((int)w);
                 return 0;
             case Win32Message.PlaceChanged:
-                User32.Place corner = default;
+                User32.Pixel corner = default;
                 _ = User32.ClientToScreen(Window, &corner);
                 Move(new(corner.X, corner.Y));
                 return null;

@@ -31,11 +31,11 @@ internal sealed partial class FileChooserView : UserControl
     private static T? Of<T>(RoutedEventArgs e)
         where T : class => (e.Source as StyledElement)?.DataContext as T;
 
-    private void OnPlaceTapped(object? sender, TappedEventArgs e) => Go(Of<Place>(e));
+    private void OnPlaceTapped(object? sender, TappedEventArgs e) => Go(Of<FolderPlace>(e));
 
     private void OnPlaceKey(object? sender, KeyEventArgs e)
     {
-        if (e.Key is Key.Enter or Key.Space && (sender as ListBox)?.SelectedItem is Place place)
+        if (e.Key is Key.Enter or Key.Space && (sender as ListBox)?.SelectedItem is FolderPlace place)
         {
             Go(place);
             e.Handled = true;
@@ -81,7 +81,7 @@ internal sealed partial class FileChooserView : UserControl
         }
     }
 
-    private void Go(Place? place)
+    private void Go(FolderPlace? place)
     {
         if (place is not null)
         {

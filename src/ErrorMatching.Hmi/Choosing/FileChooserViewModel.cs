@@ -10,7 +10,7 @@ public sealed class FileChooserViewModel : Observable
     private readonly TimeProvider _clock;
     private CancellationTokenSource? _looking;
     private FolderListing? _listing;
-    private IReadOnlyList<Place> _places = [];
+    private IReadOnlyList<FolderPlace> _places = [];
     private string _path = "";
     private string? _message;
     private string? _replaced;
@@ -48,7 +48,7 @@ public sealed class FileChooserViewModel : Observable
     public string Title => Texts.Current[_choice.TitleKey];
 
     /// <summary>Folders to start at.</summary>
-    public IReadOnlyList<Place> Places
+    public IReadOnlyList<FolderPlace> Places
     {
         get => _places;
         private set => Set(ref _places, value);

@@ -10,7 +10,7 @@ internal static class Places
     /// <param name="cellFolder">The folder of the cell's configuration.</param>
     /// <param name="samplesFolder">The folder of the samples; null if there is none.</param>
     /// <param name="recent">Recently used folders, latest first.</param>
-    public static IReadOnlyList<Place> Of(string cellFolder, string? samplesFolder, IEnumerable<string> recent)
+    public static IReadOnlyList<FolderPlace> Of(string cellFolder, string? samplesFolder, IEnumerable<string> recent)
     {
         var home = Environment.GetFolderPath(Environment.SpecialFolder.UserProfile);
         (string? NameKey, string Path, string Icon)[] all =
@@ -21,7 +21,7 @@ internal static class Places
             .. Disks().Select(d => ((string?)null, d, "Icon.disk")),
             .. recent.Select(r => ((string?)null, r, "Icon.history")),
         ];
-        return [.. all.DistinctBy(p => p.Path, StringComparer.Ordinal).Select((p, i) => new Place(i, p.NameKey, p.Path, p.Icon))];
+        return [.. all.DistinctBy(p => p.Path, StringComparer.Ordinal).Select((p, i) => new FolderPlace(i, p.NameKey, p.Path, p.Icon))];
     }
 
     /// <summary>Selects the mount points on Linux that a user would call a disk.</summary>
@@ -42,7 +42,7 @@ internal static class Places
 /// <param name="NameKey">Key of its display name; null to show the folder's own name.</param>
 /// <param name="Path">Its full path.</param>
 /// <param name="Icon">Key of its icon.</param>
-public sealed record Place(int Number, string? NameKey, string Path, string Icon)
+public sealed record FolderPlace(int Number, string? NameKey, string Path, string Icon)
 {
     /// <summary>Its display name.</summary>
     public string Name =>

@@ -11,7 +11,7 @@ public sealed class JobEditing : Observable, IDisposable
     private readonly Func<SignedIn?> _who;
     private readonly EditHistory _history = new();
     private readonly DraftProblems _problems;
-    private readonly JobVersions _versions;
+    private readonly SavedVersions _versions;
     private readonly JobSaving _saving;
     private readonly JobEdits _edits;
     private string? _message;

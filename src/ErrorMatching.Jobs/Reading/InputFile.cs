@@ -65,7 +65,7 @@ public static class InputFile
     /// <param name="bytes">Its content.</param>
     /// <exception cref="InputException">There is nothing in it, or no text that a control reads.</exception>
     public static ReadOnlyMemory<byte> Checked(string file, ReadOnlyMemory<byte> bytes) =>
-        ProgramText.Problem(bytes.Span) is { } problem ? throw new InputException(problem.In(file)) : bytes;
+        ProgramContent.Problem(bytes.Span) is { } problem ? throw new InputException(problem.In(file)) : bytes;
 
     /// <summary>The bytes of a file.</summary>
     /// <exception cref="InputException">The file cannot be opened, or is larger than the limit.</exception>

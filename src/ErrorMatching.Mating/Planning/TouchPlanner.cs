@@ -411,7 +411,7 @@ public static class TouchPlanner
 
             return new(features, stylusDiameterMm, []);
 
-            PlannedPoint PointOf(Place place) => new(place.Label ?? New(), place.At, place.Normal, place.Reason, place.ApproachMm);
+            PlannedPoint PointOf(TouchPlace place) => new(place.Label ?? New(), place.At, place.Normal, place.Reason, place.ApproachMm);
 
             string New() => (++next).ToString(CultureInfo.InvariantCulture);
         }
@@ -422,11 +422,11 @@ public static class TouchPlanner
     {
         public double? ApproachMm { get; init; }
 
-        public TouchPlanner.Place For(TouchReason reason) => new(Label, Place, Normal, AlongMm, reason, ApproachMm ?? 0);
+        public TouchPlace For(TouchReason reason) => new(Label, Place, Normal, AlongMm, reason, ApproachMm ?? 0);
     }
 
     // A place to touch; without a label it is a new one.
-    private sealed record Place(string? Label, Point2 At, Vector2 Normal, double AlongMm, TouchReason Reason, double ApproachMm);
+    private sealed record TouchPlace(string? Label, Point2 At, Vector2 Normal, double AlongMm, TouchReason Reason, double ApproachMm);
 
     // The points of one list of a feature.
     private sealed class Element
@@ -435,9 +435,9 @@ public static class TouchPlanner
         private readonly double _halfWidthMm;
 
         // The places, the one that tells most first.
-        private readonly List<Place> _places = [];
+        private readonly List<TouchPlace> _places = [];
         private double _fromMm, _toMm;
-        private List<Place>? _others;
+        private List<TouchPlace>? _others;
 
         public Element(
             int index,
@@ -521,7 +521,7 @@ public static class TouchPlanner
             Index == feature || (place is { } at && Reached.Exists(d => d.Place.DistanceTo(at) < BesideMm + CornerMm));
 
         // The places of some points. Each place narrows the most of what the earlier ones leave open.
-        public Place[] Chosen(int count)
+        public TouchPlace[] Chosen(int count)
         {
             if (Stretch is null)
             {
@@ -538,21 +538,21 @@ public static class TouchPlanner
             return [.. Designed[0].AlongMm <= Designed[^1].AlongMm ? places : places.Reverse()];
         }
 
-        private List<Place> Others => _others ??= [.. Possible().Where(p => !IsNear(p))];
+        private List<TouchPlace> Others => _others ??= [.. Possible().Where(p => !IsNear(p))];
 
         // Curves have their key points, however near to each other.
-        private bool IsNear(Place place) =>
+        private bool IsNear(TouchPlace place) =>
             _places.Exists(p => p.Label is not null && p.Label == place.Label)
                 || (IsLine && _places.Exists(p => Math.Abs(p.AlongMm - place.AlongMm) < NearMm));
 
-        private void Take(Place place)
+        private void Take(TouchPlace place)
         {
             _places.Add(place);
             Others.RemoveAll(IsNear);
         }
 
         // The largest standard deviation anywhere along the element with one more place.
-        private double UncertaintyMm(Place more)
+        private double UncertaintyMm(TouchPlace more)
         {
             double[] along = [.. _places.Append(more).Select(p => p.AlongMm)];
             var prior = new DeviationPrior(Stretch!, DeviationPrior.VagueMm, _uncertaintyMm, along)
@@ -565,7 +565,7 @@ public static class TouchPlanner
         }
 
         // Its key points, and between those of a line a grid.
-        private IEnumerable<Place> Possible()
+        private IEnumerable<TouchPlace> Possible()
         {
             foreach (var point in Reached)
             {

@@ -247,7 +247,7 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
     // Ranges first: a single code has priority over a range, regardless of their order.
     private void Apply(DialectTopic topic, IReadOnlyList<JsonItem> entries, string key)
     {
-        var singles = new List<Statement>();
+        var singles = new List<DialectStatement>();
         var stated = new HashSet<string>(KeywordComparer.Instance);
         var subjects = new List<SubjectRange>();
         foreach (var entry in entries)

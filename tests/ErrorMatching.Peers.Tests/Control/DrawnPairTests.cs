@@ -9,9 +9,10 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.Peers.Tests;
 
-/// <summary>The way of a new user on a real control, for random pairs: a drawing and a program become a job and a plan; the control probes a
-/// groove whose features are displaced at random, cuts the key that was matched to it, and probes that key; both are compared. What was
-/// cut is judged by the path that the servo loop commanded and the groove's true polygon: neither knows what made the program.</summary>
+/// <summary>The way of a new user on a real control, for random pairs: a drawing and a program become a job and a plan; the control
+/// probes a groove whose features are displaced at random, cuts the key that was matched to it, and probes that key; both are compared.
+/// What was cut is judged by the path that the servo loop commanded and the groove's true polygon: neither knows what made the
+/// program.</summary>
 public sealed class DrawnPairTests(LinuxCncControl control) : IClassFixture<LinuxCncControl>
 {
     private const double Ball = 3;
@@ -83,7 +84,8 @@ public sealed class DrawnPairTests(LinuxCncControl control) : IClassFixture<Linu
                     + $"air {1000 * air:0.0} um, said {1000 * said.TightestMm:0.0} "
                     + $"({1000 * said.Interval95Mm.Value.From:0.0} to {1000 * said.Interval95Mm.Value.To:0.0}) at {said.Probability:0.00}, "
                     + $"verified {1000 * seen.TightestMm:0.0} "
-                    + $"({1000 * seen.Interval95Mm.Value.From:0.0} to {1000 * seen.Interval95Mm.Value.To:0.0}) at {seen.Probability:0.00}"));
+                    + $"({1000 * seen.Interval95Mm.Value.From:0.0} to {1000 * seen.Interval95Mm.Value.To:0.0}) at "
+                    + $"{seen.Probability:0.00}"));
         }
 
         // Of forty intervals of 95 %, two are missed in the mean, and more than six in one of 300 such runs.

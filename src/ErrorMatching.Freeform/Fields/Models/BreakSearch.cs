@@ -101,7 +101,7 @@ internal sealed class BreakSearch
     }
 
     /// <summary>Local minima of the residual of a biquadratic with the model's breaks and one more, deepest first.</summary>
-    private List<Place> Places(PolynomialModel model)
+    private List<BreakPlace> Places(PolynomialModel model)
     {
         var basis = new List<double[]>();
         var rest = (double[])_data.Z.Clone();
@@ -115,8 +115,8 @@ internal sealed class BreakSearch
         }
 
         // The four deepest; the first of equal ones.
-        List<Place> minima = [.. Minima(true, _lines.U, basis, rest), .. Minima(false, _lines.V, basis, rest)];
-        var places = new List<Place>();
+        List<BreakPlace> minima = [.. Minima(true, _lines.U, basis, rest), .. Minima(false, _lines.V, basis, rest)];
+        var places = new List<BreakPlace>();
         while (places.Count < 4 && minima.MinBy(m => m.Sum) is { } deepest)
         {
             places.Add(deepest);
@@ -132,9 +132,9 @@ internal sealed class BreakSearch
     private static IEnumerable<AxisFunction> UpToSquare(IReadOnlyList<double> breaks) =>
         AxisFunction.Hierarchy(2, breaks).Where(f => f.Power <= 2);
 
-    private List<Place> Minima(bool alongU, double[] lines, List<double[]> basis, double[] rest)
+    private List<BreakPlace> Minima(bool alongU, double[] lines, List<double[]> basis, double[] rest)
     {
-        var scanned = new List<Place>();
+        var scanned = new List<BreakPlace>();
         var places = lines.Length > 60 ? 2 : PlacesPerCell;
         for (var cell = 1; cell + 2 < lines.Length; cell++)
         {
@@ -189,5 +189,5 @@ internal sealed class BreakSearch
     /// <param name="AlongU">True for a break in u.</param>
     /// <param name="At">Its parameter.</param>
     /// <param name="Sum">The remaining sum of squares.</param>
-    private sealed record Place(bool AlongU, double At, double Sum);
+    private sealed record BreakPlace(bool AlongU, double At, double Sum);
 }

@@ -6,10 +6,10 @@ namespace ErrorMatching.Hmi;
 internal sealed class CompensationViewModel : ScreenViewModel, ILooksAt
 {
     private readonly ShellViewModel _shell;
-    private readonly CorrectionChoice _choice;
+    private readonly LookedCorrection _choice;
     private readonly Pause _pause;
     private string? _undone;
-    private CorrectionRow? _chosen;
+    private ListedCorrection? _chosen;
     private bool _isExpected = true;
     private CorrectionDetail? _detail;
     private (long Id, int Version, bool IsOfChangedJob) _shown = (0, -1, false);
@@ -49,14 +49,14 @@ internal sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     }
 
     /// <summary>Corrections waiting for a decision, on their way to a machine, or at one.</summary>
-    public RowList<CorrectionRow> Rows { get; } = [];
+    public RowList<ListedCorrection> Rows { get; } = [];
 
     /// <summary>True if <see cref="Rows"/> is known to be empty.</summary>
     public bool IsEmpty => Station.State is { Status: not null, StoreTrouble: null } && Rows.Count == 0;
 
     /// <summary>The selected correction. Until the user selects one or decides, it is the longest-waiting one; a newer arrival
     /// does not replace it.</summary>
-    public CorrectionRow? Chosen
+    public ListedCorrection? Chosen
     {
         get => _chosen;
         set
@@ -387,7 +387,7 @@ internal sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         Recalculate.Refresh();
     }
 
-    private CorrectionRow Row(Correction c) => new(
+    private ListedCorrection Row(Correction c) => new(
         c.Id,
         CorrectionLabel.Of(c),
         Station.JobNames.Of(c) ?? "",

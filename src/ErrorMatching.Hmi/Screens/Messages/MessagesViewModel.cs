@@ -55,7 +55,7 @@ internal sealed partial class MessagesViewModel : ScreenViewModel
     public bool IsQuiet => Station.State is { Status: not null, StoreTrouble: null } && Messages.Count == 0;
 
     /// <summary>The audit trail, latest first.</summary>
-    public RowList<AuditRow> Entries { get; } = [];
+    public RowList<TrailRow> Entries { get; } = [];
 
     /// <summary>Verifies every entry of the trail.</summary>
     public LongCommand Verify { get; }
@@ -240,7 +240,7 @@ internal sealed partial class MessagesViewModel : ScreenViewModel
         }
     }
 
-    private AuditRow Row(AuditEntry entry) => new(
+    private TrailRow Row(AuditEntry entry) => new(
         Shown.Id(entry.Seq),
         Shown.Time(entry.At, Station.Clock),
         RecordedText.Who(entry.Who),
@@ -278,7 +278,7 @@ internal sealed record MessageRow(Severity Severity, string What, string Next, l
 /// <param name="What">The act.</param>
 /// <param name="Subject">What it applied to.</param>
 /// <param name="Basis">Its basis.</param>
-public sealed record AuditRow(string Number, string Time, string Who, string What, string Subject, string Basis)
+public sealed record TrailRow(string Number, string Time, string Who, string What, string Subject, string Basis)
 {
     // About two lines of its column.
     private const int LongBasis = 100;

@@ -4,7 +4,7 @@ using ErrorMatching.Reporting;
 namespace ErrorMatching.Cell;
 
 /// <summary>Writes steps of corrections.</summary>
-internal static class StepWriter
+internal static class CorrectionStepWriter
 {
     /// <summary>Takes one step of a correction.</summary>
     /// <param name="transaction">The change.</param>

@@ -4,7 +4,7 @@ namespace ErrorMatching.Hmi;
 
 /// <summary>Which correction is selected: the one that the user chose, otherwise the longest-waiting one.</summary>
 /// <param name="shell">Remembers the choice for the next time that the screen is opened.</param>
-internal sealed class CorrectionChoice(ShellViewModel shell)
+internal sealed class LookedCorrection(ShellViewModel shell)
 {
     private long? _looked = shell.Looked.Correction;
     private long? _byItself = shell.Looked.Shown;
@@ -25,7 +25,7 @@ internal sealed class CorrectionChoice(ShellViewModel shell)
     /// <param name="waiting">The corrections that wait for this user.</param>
     /// <param name="inWork">Those that are being calculated.</param>
     /// <returns>Its number; null if there is none.</returns>
-    public long? Follow(IReadOnlyList<CorrectionRow> rows, IEnumerable<Correction> waiting, IEnumerable<Correction> inWork)
+    public long? Follow(IReadOnlyList<ListedCorrection> rows, IEnumerable<Correction> waiting, IEnumerable<Correction> inWork)
     {
         _waiting = [.. waiting.Select(c => c.Id)];
 
@@ -39,7 +39,7 @@ internal sealed class CorrectionChoice(ShellViewModel shell)
     public void Remember() => shell.Looked.Shown = _byItself;
 
     // A waiting correction stays selected until it is decided; then the next one is. If none is left, the last one stays visible.
-    private long? ByItself(IReadOnlyList<CorrectionRow> rows)
+    private long? ByItself(IReadOnlyList<ListedCorrection> rows)
     {
         var now = rows.FirstOrDefault(r => r.Id == _byItself);
         var row = now is not null && _waiting.Contains(now.Id)

@@ -8,7 +8,8 @@ namespace ErrorMatching.Hmi;
 /// <param name="Largest">Its largest displacement; empty before it is computed.</param>
 /// <param name="Severity">Its severity.</param>
 /// <param name="IsOfChangedJob">True if its job was changed after it was computed.</param>
-public sealed record CorrectionRow(long Id, string Title, string Job, string State, string Largest, Severity Severity, bool IsOfChangedJob)
+public sealed record ListedCorrection(
+    long Id, string Title, string Job, string State, string Largest, Severity Severity, bool IsOfChangedJob)
 {
     public string AutomationId => "correction-" + Shown.Id(Id);
 }

@@ -8,7 +8,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="editing">The edited job.</param>
 /// <param name="edits">Reads the versions.</param>
 /// <param name="clock">The clock.</param>
-internal sealed class JobVersions(JobEditing editing, JobEdits edits, TimeProvider clock)
+internal sealed class SavedVersions(JobEditing editing, JobEdits edits, TimeProvider clock)
 {
     /// <summary>The versions, the latest first; empty until they are read.</summary>
     public RowList<VersionRow> Rows { get; } = [];

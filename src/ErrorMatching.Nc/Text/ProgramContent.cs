@@ -4,7 +4,7 @@ using ErrorMatching.Refusals;
 namespace ErrorMatching.Nc;
 
 /// <summary>Whether bytes can be a program: text in which each character of a word is one byte.</summary>
-public static class ProgramText
+public static class ProgramContent
 {
     // Enough to tell an encoding or a picture from a program.
     private const int Looked = 1 << 16;
