@@ -104,7 +104,7 @@ internal sealed class BlockExecutor
 
     /// <summary>Reads a block of plain words in one pass; false if it has anything else.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public bool TryReadPlain(ReadOnlySpan<byte> text) => _words.TryReadPlain(text, _dialect.Syntax);
+    public bool TryReadPlain(ReadOnlySpan<byte> text) => _words.TryReadPlain(text, _dialect.Ways);
 
     /// <summary>True if the block whose plain words were just read is only a cut or a rapid.</summary>
     public bool IsCut()

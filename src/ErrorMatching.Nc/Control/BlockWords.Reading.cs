@@ -11,10 +11,10 @@ internal sealed partial class BlockWords
     private static ReadOnlySpan<double> Powers => [1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
 
     /// <summary>Reads a block of plain words in one pass; false if it has anything else.</summary>
-    public bool TryReadPlain(ReadOnlySpan<byte> text, NcSyntax syntax)
+    public bool TryReadPlain(ReadOnlySpan<byte> text, ControlWays ways)
     {
         Clear();
-        return LanguageSpelling.HasCodesIn(syntax) && ReadPlain(text, ControlWays.Of(syntax).SpacesInNumbers);
+        return ways.HasCodes && ReadPlain(text, ways.SpacesInNumbers);
     }
 
     /// <summary>Reads letters with numbers, and spaces between them. False for anything else.</summary>

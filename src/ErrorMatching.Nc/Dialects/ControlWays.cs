@@ -5,11 +5,11 @@ namespace ErrorMatching.Nc;
 /// <remarks>What differs between two controls of a family is data of their dialects. Immutable.</remarks>
 internal sealed record ControlWays
 {
-    private static readonly ControlWays Iso = new() { SemicolonMayEndBlock = true, CutsToMachinePlaces = false };
-    private static readonly ControlWays Okuma = new() { SemicolonMayEndBlock = true };
-    private static readonly ControlWays Klartext = new();
+    private static readonly ControlWays Iso = new(NcSyntax.Iso) { SemicolonMayEndBlock = true, CutsToMachinePlaces = false };
+    private static readonly ControlWays Okuma = new(NcSyntax.Okuma) { SemicolonMayEndBlock = true };
+    private static readonly ControlWays Klartext = new(NcSyntax.Klartext);
 
-    private static readonly ControlWays Siemens = new()
+    private static readonly ControlWays Siemens = new(NcSyntax.Siemens)
     {
         AssignmentsAreWords = true,
         CallsByAddress = true,
@@ -19,7 +19,7 @@ internal sealed record ControlWays
     };
 
     // LinuxCNC, Interpreter sources interp_convert.cc and interp_cycles.cc; its manual, "G-codes".
-    private static readonly ControlWays LinuxCnc = new()
+    private static readonly ControlWays LinuxCnc = new(NcSyntax.LinuxCnc)
     {
         SpacesInNumbers = true,
         ReadsFeedBeforeUnits = true,
@@ -29,6 +29,11 @@ internal sealed record ControlWays
         WorkOffsetsTurn = true,
         HasOneShift = true,
     };
+
+    private ControlWays(NcSyntax syntax) => HasCodes = LanguageSpelling.HasCodesIn(syntax);
+
+    /// <summary>Moves are letters with numbers (<c>G1 X10</c>), and modal; elsewhere each block is a statement.</summary>
+    public bool HasCodes { get; }
 
     /// <summary>Spaces may stand inside a number: <c>X1 0</c> is 10.</summary>
     public bool SpacesInNumbers { get; private init; }

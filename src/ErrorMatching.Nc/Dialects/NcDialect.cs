@@ -35,7 +35,7 @@ public sealed class NcDialect
     internal ControlWays Ways { get; }
 
     /// <summary>True if moves are letters with numbers (<c>G1 X10</c>), false if blocks are statements of a language.</summary>
-    public bool HasCodes => LanguageSpelling.HasCodesIn(Syntax);
+    public bool HasCodes => Ways.HasCodes;
 
     /// <summary>True if each block with a motion names it, and each word says whether it is an increment: neither is modal.</summary>
     internal bool BlocksNameMotions => !HasCodes;

@@ -21,14 +21,14 @@ public sealed record NcCensus(int Blocks, long Words, bool RoundTrips)
     // A copy has the same bytes if each piece begins where the one before ends, from the first byte to the last.
     private static NcCensus Of(NcProgram program, int from, int end)
     {
-        var (plain, words) = (new BlockWords(), 0L);
+        var (plain, ways, words) = (new BlockWords(), ControlWays.Of(program.Syntax), 0L);
         var (at, joins) = (from == 0 ? 0 : EndOf(program, from - 1), true);
         for (var i = from; i < end; i++)
         {
             var block = program[i];
             joins &= block.Start == at;
             at = block.Start + block.FullLength;
-            if (plain.TryReadPlain(program.BytesOf(block), program.Syntax))
+            if (plain.TryReadPlain(program.BytesOf(block), ways))
             {
                 words += plain.Count;
                 continue;
