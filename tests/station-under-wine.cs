@@ -60,6 +60,7 @@ switch (args[1])
 
         Console.WriteLine("held");
         Thread.Sleep(numbers[0]);
+        Console.WriteLine("free");
         _ = CloseClipboard();
         return 0;
     case "end":
