@@ -150,7 +150,7 @@ public sealed class TargetTests
     [InlineData(ScreenKeys.Points, TouchSize.Standard, Explicit = true)]
     [InlineData(ScreenKeys.System, TouchSize.Standard, Explicit = true)]
     [InlineData(ScreenKeys.Points, TouchSize.Largest)]
-    [InlineData(ScreenKeys.System, TouchSize.Largest, Explicit = true)]
+    [InlineData(ScreenKeys.System, TouchSize.Largest)]
     public Task Nothing_that_is_said_of_a_field_moves_a_target(string screen, TouchSize touch) => SetupSeat.AtAsync(screen, here =>
     {
         var (seat, editing, moved, tried) = (

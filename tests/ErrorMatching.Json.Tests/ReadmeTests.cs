@@ -24,9 +24,6 @@ public sealed class ReadmeTests
         Assert.Contains(Example(), readme, StringComparison.Ordinal);
     }
 
-    [Fact]
-    public void The_public_surface_is_the_one_on_record() => PublicApi.MatchesSnapshot(typeof(JsonItem).Assembly);
-
     private static string Example()
     {
         var source = File.ReadAllText(Repository.PathTo("tests", "ErrorMatching.Json.Tests", "ReadmeTests.cs"));

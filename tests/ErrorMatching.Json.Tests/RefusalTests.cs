@@ -21,9 +21,6 @@ public sealed class RefusalTests
         Assert.Contains(string.Join('\n', lines), readme, StringComparison.Ordinal);
     }
 
-    [Fact]
-    public void The_public_surface_of_refusals_is_the_one_on_record() => PublicApi.MatchesSnapshot(typeof(Refusal).Assembly);
-
     // The message of a block names the block; a file that the message names stands there once.
     [Theory]
     [InlineData("p.nc", null, "N110", "N110: no.", "p.nc: N110: no.")]

@@ -63,8 +63,5 @@ public sealed class ReadmeTests
             "```csharp\n" + string.Join('\n', inside.Select(l => l.Length > 8 ? l[8..] : l)) + "\n```", ReadMe(), StringComparison.Ordinal);
     }
 
-    [Fact]
-    public void Public_surface_is_the_one_in_the_snapshot() => PublicApi.MatchesSnapshot(typeof(Matcher).Assembly);
-
     private static string ReadMe() => File.ReadAllText(Repository.PathTo("src", "ErrorMatching.Mating", "README.md"));
 }

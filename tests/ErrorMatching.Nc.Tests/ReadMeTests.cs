@@ -47,9 +47,6 @@ public sealed class ReadMeTests
             StringComparison.Ordinal);
     }
 
-    [Fact]
-    public void Public_surface_is_the_one_in_the_snapshot() => PublicApi.MatchesSnapshot(typeof(NcProgram).Assembly);
-
     private static string ThisFile([CallerFilePath] string path = "") =>
         File.Exists(path) ? path : Repository.PathTo("tests", "ErrorMatching.Nc.Tests", "ReadMeTests.cs");
 }

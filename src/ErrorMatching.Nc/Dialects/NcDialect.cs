@@ -1,7 +1,8 @@
 namespace ErrorMatching.Nc;
 
 /// <summary>A control's language as data: the meaning of its codes, words and letters, its increments and tolerances. Behavior of a whole
-/// family with the same spelling (<see cref="NcSyntax"/>) is in <see cref="ControlWays"/>; differences between controls are here.</summary>
+/// family with the same spelling (<see cref="NcSyntax"/>) is in <see cref="ControlWays"/> and in
+/// the flow of its language; differences between controls are here.</summary>
 /// <remarks>Immutable. Built-in dialects come from <see cref="NcDialects.Named"/>, a shop's own from <see cref="NcDialects.Read"/>; both
 /// are JSON files of the same form (<see cref="NcDialects.Schema"/>).</remarks>
 public sealed class NcDialect
