@@ -12,7 +12,7 @@ namespace ErrorMatching.Peers.Tests;
 public sealed class LinuxCncControl : IAsyncLifetime
 {
     private const string Package = "linuxcnc-uspace";
-    private static readonly TimeSpan Limit = TimeSpan.FromMinutes(2);
+    private static readonly TimeSpan Limit = TimeSpan.FromMinutes(6);
     private static readonly string[] Files = ["control.sh", "control.ini", "control.hal", "relay.py", "touch.py", "slot.json"];
     private static readonly string[] Programs = ["milltask", "linuxcncrsh", "halcmd", "halsampler", "unshare", "ip", "python3"];
     private readonly TcpListener _relay = new(IPAddress.Loopback, 0);
@@ -55,11 +55,15 @@ public sealed class LinuxCncControl : IAsyncLifetime
         foreach (var file in Files)
             File.Copy(Repository.PathTo("tests", "ErrorMatching.Peers.Tests", "Control", file), Path.Combine(Home, file));
 
-        // Its real-time part runs as nobody.
+        // Its real-time part runs as nobody. It needs little of a processor, but at once: beside other tests, everything takes minutes
+        // otherwise.
         File.SetUnixFileMode(Home, (UnixFileMode)0b111_111_111 | UnixFileMode.StickyBit);
         _process = Process.Start(new ProcessStartInfo(
-            "unshare",
-            ["--pid", "--fork", "--ipc", "--net", "--mount-proc", "--kill-child", "bash", Path.Combine(Home, "control.sh"), Home])
+            "nice",
+            [
+                "-n", "-39", "unshare", "--pid", "--fork", "--ipc", "--net", "--mount-proc", "--kill-child",
+                "bash", Path.Combine(Home, "control.sh"), Home,
+            ])
         {
             UseShellExecute = false,
             RedirectStandardOutput = true,
