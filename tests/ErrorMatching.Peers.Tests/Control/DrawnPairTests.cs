@@ -41,7 +41,7 @@ public sealed class DrawnPairTests(LinuxCncControl control) : IClassFixture<Linu
         using var folder = new TemporaryFolder();
         var job = MakeJob(folder);
         var (random, output) = (new Random(47), TestContext.Current.TestOutputHelper!);
-        var (saidBeyond, seenBeyond) = (0, 0);
+        var (saidBeyond, seenBeyond, corrected) = (0, 0, 0);
         for (var pair = 1; pair <= Testing.Depth.Of(1, 20); pair++)
         {
             var displaced = DovetailGroove.DisplacedMm.Keys.ToDictionary(f => f, _ => 0.12 * (random.NextDouble() - 0.5));
@@ -66,9 +66,9 @@ public sealed class DrawnPairTests(LinuxCncControl control) : IClassFixture<Linu
             var after = await ProbeAsync(job, ofCounterpart: true, folder[$"key-{pair}.log"]);
             var verified = Verify(job, measured, after);
 
-            // Without the match it would not fit. With it, each point is within its limits, and what was told of the part is true.
+            // With the match each point is within its limits, and what was told of the part is true.
             var bands = report.Features.ToDictionary(f => f.Name, f => f.Tolerance.Band);
-            Assert.Contains(report.KeyPoints, p => Math.Abs(p.UncompensatedMm) > bands[p.Feature].UpperMm);
+            corrected += report.KeyPoints.Any(p => Math.Abs(p.UncompensatedMm) > bands[p.Feature].UpperMm) ? 1 : 0;
             var far = 0.0;
             foreach (var point in report.KeyPoints)
             {
@@ -95,6 +95,9 @@ public sealed class DrawnPairTests(LinuxCncControl control) : IClassFixture<Linu
                     + $"({1000 * seen.Interval95Mm.Value.From:0.0} to {1000 * seen.Interval95Mm.Value.To:0.0}) at "
                     + $"{seen.Probability:0.00}"));
         }
+
+        // Without it, most would not be: four of five in the mean.
+        Assert.InRange(corrected, Testing.Depth.Of(1, 12), 20);
 
         // Of twenty intervals of 95 %, one is missed in the mean, and more than four in one of 390 such runs.
         Assert.InRange(saidBeyond, 0, Testing.Depth.Of(0, 4));
