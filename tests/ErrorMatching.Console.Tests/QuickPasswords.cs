@@ -1,10 +1,10 @@
 using System.Runtime.CompilerServices;
 using ErrorMatching.Cell;
 
-namespace ErrorMatching.Console.Tests;
+namespace ErrorMatching.Testing;
 
-/// <summary>Hashes passwords with little work. A third of a second of a processor for each sign-in and signature is right at a cell; it was
-/// half of what these tests took.</summary>
+/// <summary>Hashes passwords with little work, in the tests of the console and of the station. A third of a second of a processor for each
+/// sign-in and signature is right at a cell; it was a third of what the console's tests took.</summary>
 internal static class QuickPasswords
 {
     // Before the tests of this program begin.
