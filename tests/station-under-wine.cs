@@ -9,7 +9,7 @@ using System.Runtime.InteropServices;
 //   TITLE pinch X Y FROM TO    two fingers left and right of a place; what is between them grows or shrinks from FROM to TO pixels
 //   TITLE dpi VALUE            another scaling, such as 144
 //   TITLE display              the display came back, as after remote desktop, and a setting of the system has changed
-//   TITLE hold MILLISECONDS    holds the clipboard for so long, as another program does, and says when it does
+//   TITLE hold                 holds the clipboard until a line comes in, as another program does, and says when it begins
 //   TITLE end                  the session of Windows ends
 //   TITLE read                 reads the window as a screen reader does: prints of each element its kind, whether it has the focus (1),
 //                              and its name
@@ -59,8 +59,7 @@ switch (args[1])
         }
 
         Console.WriteLine("held");
-        Thread.Sleep(numbers[0]);
-        Console.WriteLine("free");
+        _ = Console.ReadLine();
         _ = CloseClipboard();
         return 0;
     case "end":
