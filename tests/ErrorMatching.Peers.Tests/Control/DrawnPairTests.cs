@@ -156,7 +156,7 @@ public sealed class DrawnPairTests(LinuxCncControl control) : IClassFixture<Linu
         return report!;
     }
 
-    // A piece under the probe takes the place of the last one, at once.
+    // The file is replaced in one step: the probe never reads half a piece.
     private void PutPiece(IReadOnlyList<Point2> material, double allowanceMm)
     {
         var text = JsonSerializer.Serialize(
