@@ -134,7 +134,8 @@ internal sealed class MatchAnswer(MatchedProgram matched, string? folder, Failur
         page.Line(string.Create(
             CultureInfo.InvariantCulture,
             $"Proof holds: of {ReportNumber.Count(proof.Motions, "motion")} {proof.MovedMotions} moved, none further than "
-                + $"{Show.Mm(proof.MaxDeviationFromWantedMm)} mm from where it was wanted; every byte besides is the original's."));
+                + $"{Show.Mm(proof.MaxDeviationFromWantedMm)} mm from where it was wanted; every byte besides is the original's"
+                + $"{(proof.Marker is null ? "" : ", but for the marker comment")}."));
         if (proof.Neighbors.Count > 0)
         {
             page.Line(

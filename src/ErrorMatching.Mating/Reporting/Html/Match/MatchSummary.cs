@@ -250,7 +250,8 @@ internal static class MatchProof
             html.Put("strong", proof.Holds ? "✓ The proof holds." : "✗ The proof does not hold. Do not use this program.");
             html.Text(
                 proof.Holds
-                    ? " The new program moves as wanted, and nothing else was changed."
+                    ? " The new program moves as wanted, and nothing else was changed"
+                        + $"{(proof.Marker is null ? "" : ", but for the marker comment")}."
                     : " It does not move as wanted, or something else was changed.");
         }
     }
