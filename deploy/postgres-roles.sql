@@ -23,6 +23,7 @@ GRANT INSERT ON content, step, audit TO errormatch_station;
 GRANT INSERT, UPDATE ON correction, slot TO errormatch_station;
 GRANT UPDATE ON audit_head TO errormatch_station;
 GRANT SELECT, UPDATE ON person TO errormatch_station;
+GRANT SELECT, INSERT, UPDATE ON credential TO errormatch_station;
 GRANT SELECT, INSERT, UPDATE, DELETE ON sign_in_failure TO errormatch_station;
 
 -- Only for a station that releases or reverts at machines that need a password: GRANT SELECT ON machine_secret TO errormatch_station;

@@ -63,6 +63,7 @@ public sealed class CellExampleTests : IDisposable
             "user enable",
             "user role",
             "user password",
+            "user badge",
             "audit verify",
             "audit export",
             "audit take-over"
@@ -71,12 +72,13 @@ public sealed class CellExampleTests : IDisposable
             Example(words);
         }
 
+        Example("user pin", secret: "502817");
         Assert.Equal(Verbs().Keys.Order(), _ran.Order());
     }
 
     public void Dispose() => _folder.Dispose();
 
-    private void Example(string words, Func<string, string>? changed = null)
+    private void Example(string words, Func<string, string>? changed = null, string secret = Password)
     {
         if (!Verbs().TryGetValue(words, out var verb))
         {
@@ -87,7 +89,7 @@ public sealed class CellExampleTests : IDisposable
         string[] args = [
             .. (changed?.Invoke(verb.Example) ?? verb.Example).Split(' ')[1..].Select(
                 w => w.StartsWith("samples/", StringComparison.Ordinal) || w.StartsWith("out", StringComparison.Ordinal) ? Placed(w) : w)];
-        using var passwords = new StringReader($"{Password}\n{Password}\n{Password}\n");
+        using var passwords = new StringReader($"{Password}\n{secret}\n{secret}\n");
         var run = Shell.Run(new SecretInput(passwords, null, TextWriter.Null), verb is SigningVerb ? [.. args, "--password-stdin"] : args);
         Assert.True(run.Exit == 0, $"{verb.Example} ended with {run.Exit}: {run.Output}{run.Error}");
     }

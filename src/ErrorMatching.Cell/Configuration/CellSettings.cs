@@ -40,6 +40,12 @@ public sealed record CellSettings
     /// <summary>Who approves what.</summary>
     public required PolicySettings Policy { get; init; }
 
+    /// <summary>How people may sign in at a station besides by password.</summary>
+    public SignInWays SignIn { get; init; }
+
+    /// <summary>Why people reject a correction, as the shop puts it; empty if it has no such list.</summary>
+    public IReadOnlyList<string> RejectionReasons { get; init; } = [];
+
     /// <summary>The broker that every step is published to; null for none.</summary>
     public EventSettings? Events { get; init; }
 

@@ -59,6 +59,8 @@ internal sealed class CellReader(JsonItem root, string file, CellProblems proble
             Machines = [.. machines.Select(m => m.Settings)],
             Jobs = [.. jobs.Select(j => j.Settings)],
             Policy = policy,
+            SignIn = ReadSignIn(root.Find("signIn")),
+            RejectionReasons = [.. (root.Find("rejectionReasons")?.Items.Select(i => i.Text) ?? []).Distinct()],
             Events = root.Find("events") is { } events ? EventReader.Read(events, _paths, problems) : null,
         };
         new FolderContradictions(root, settings, problems).Find(_paths.Of(Path.GetFileName(file)), jobs);
@@ -66,6 +68,15 @@ internal sealed class CellReader(JsonItem root, string file, CellProblems proble
         WarnOfUnused();
         return settings with { Warnings = problems.Warnings };
     }
+
+    private static SignInWays ReadSignIn(JsonItem? item) => (item?.Items ?? []).Aggregate(
+        SignInWays.Password,
+        (ways, way) => ways | way.Text switch
+        {
+            "pin" => SignInWays.Pin,
+            "badge" => SignInWays.Badge,
+            _ => SignInWays.BadgeWithPin,
+        });
 
     private StoreSettings ReadStore(JsonItem item)
     {

@@ -52,6 +52,9 @@ internal static class PasswordRule
         }
     }
 
+    /// <summary>True if a text is one short piece again and again, or characters in their order.</summary>
+    public static bool IsSimple(string text) => Period(text) * 2 <= text.Length || IsRun(text);
+
     private static string? Problem(string name, string password)
     {
         if (password.Length < LeastCharacters)

@@ -37,7 +37,7 @@ public sealed class UserBook
     public User AddFirst(string name, string password)
     {
         var hash = HashOf(name, password);
-        return _store.Write(t => Person.All(t).Count == 0
+        return _store.Write(t => Person.All(t).Count == 0 && ForgetCredentials(t)
             ? Insert(t, "console", name, Role.Administrator, hash, Recorded.FirstAdministrator.With())
             : throw new PeopleException(PeopleError.NotSigned, "This cell has users: an administrator has to sign for another one."));
     }
@@ -95,19 +95,135 @@ public sealed class UserBook
             isOwnAllowed: true);
     }
 
+    /// <summary>Sets a PIN: the user's own, or, as an administrator, anyone's.</summary>
+    /// <param name="by">Who signs, with a password.</param>
+    /// <param name="name">The user.</param>
+    /// <param name="pin">6 to 8 digits.</param>
+    /// <exception cref="PeopleException">There is no such user, the PIN is too easy to guess, or <paramref name="by"/> does not have the
+    /// right.</exception>
+    public User SetPin(SignedIn by, string name, string pin)
+    {
+        Credentials.DemandPin(pin);
+        return Change(
+            by,
+            name,
+            "pin-set",
+            (t, p) => new CredentialRow(
+                UserName.Key(p.Name), CredentialKind.Pin, Hashes.Of(Credentials.PinSecret(KeyOf(t), p.Name, pin)), t.Now).Put(t),
+            isOwnAllowed: true);
+    }
+
+    /// <summary>Takes a PIN away: the user's own, or, as an administrator, anyone's.</summary>
+    /// <exception cref="PeopleException">There is no such user, or <paramref name="by"/> does not have the right.</exception>
+    public User RemovePin(SignedIn by, string name) => Change(
+        by,
+        name,
+        "pin-removed",
+        (t, p) => new CredentialRow(UserName.Key(p.Name), CredentialKind.Pin, "", t.Now).Put(t),
+        isOwnAllowed: true);
+
+    /// <summary>Binds a badge to a user, in place of an earlier one.</summary>
+    /// <param name="by">The administrator who signs.</param>
+    /// <param name="name">The user.</param>
+    /// <param name="code">The code that a scanner reads from the badge.</param>
+    /// <exception cref="PeopleException">There is no such user, the badge is another user's or its code is too short, or
+    /// <paramref name="by"/> does not have the right.</exception>
+    public User SetBadge(SignedIn by, string name, string code)
+    {
+        Credentials.DemandBadge(code);
+        return Change(by, name, "badge-set", (t, p) =>
+        {
+            var (key, hash) = (UserName.Key(p.Name), Credentials.BadgeHash(KeyOf(t), code));
+            if (CredentialRow.FindBadge(t, hash) is { } other && other.NameKey != key)
+            {
+                throw new PeopleException(
+                    PeopleError.BadgeTaken,
+                    $"This badge belongs to {Person.Find(t, other.NameKey)?.Name ?? other.NameKey}. Take it away there first: errormatch "
+                        + "user badge.");
+            }
+
+            new CredentialRow(key, CredentialKind.Badge, hash, t.Now).Put(t);
+        });
+    }
+
+    /// <summary>Takes a badge away from a user.</summary>
+    /// <exception cref="PeopleException">There is no such user, or <paramref name="by"/> does not have the right.</exception>
+    public User RemoveBadge(SignedIn by, string name) => Change(
+        by, name, "badge-removed", (t, p) => new CredentialRow(UserName.Key(p.Name), CredentialKind.Badge, "", t.Now).Put(t));
+
+    /// <summary>The user whose badge it is, for a sign-in by badge and PIN: the badge alone proves nothing.</summary>
+    /// <returns>The user's name.</returns>
+    /// <exception cref="PeopleException">As for <see cref="SignInByBadge"/>.</exception>
+    public string FindBadge(string code)
+    {
+        var (person, failures, lockedUntil) = _store.Write(t => BeginTry(t, code, KeyOf(t)));
+        return person?.Name ?? throw RefusedBadge(failures, lockedUntil);
+    }
+
+    /// <summary>Signs in by badge alone.</summary>
+    /// <exception cref="PeopleException">With <see cref="PeopleError.SignInRefused"/>, <see cref="PeopleError.LockedOut"/> after too many
+    /// badges of nobody, <see cref="PeopleError.UserDisabled"/> or <see cref="PeopleError.Tampered"/>.</exception>
+    public SignedIn SignInByBadge(string code)
+    {
+        var (person, failures, lockedUntil) = _store.Write(t => BeginTry(t, code, KeyOf(t)));
+        if (person is null)
+        {
+            throw RefusedBadge(failures, lockedUntil);
+        }
+
+        if (person.Problem is { } problem) throw problem;
+        return !person.IsDisabled
+            ? _store.Write(t => EndTry(t, person, null, null, Recorded.SignedInByBadge))
+            : throw Disabled(person);
+    }
+
+    /// <summary>Checks a PIN. An unknown name, or a user without a PIN, takes just as long and fails with the same message.</summary>
+    /// <param name="name">The user.</param>
+    /// <param name="pin">The PIN.</param>
+    /// <param name="badge">The badge's code if the PIN counts only with it; null if it counts alone.</param>
+    /// <exception cref="PeopleException">As for <see cref="SignIn"/>: a wrong PIN counts as a wrong password does.</exception>
+    public SignedIn SignInByPin(string name, string pin, string? badge)
+    {
+        var (person, failures, lockedUntil) = _store.Write(t => BeginTry(t, name));
+        var (key, stored) = _store.Write(t => (KeyOf(t), person is null ? null : CredentialRow.Find(t, person.Name, CredentialKind.Pin)));
+        return Compared(
+            person,
+            failures,
+            lockedUntil,
+            (stored?.Hash, Credentials.PinSecret(key, name, pin)),
+            stored,
+            badge is null ? Recorded.SignedInByPin : Recorded.SignedInByBadgeAndPin,
+            Recorded.WrongPin,
+            badge);
+    }
+
     /// <summary>Checks a password. An unknown name takes just as long and fails with the same message.</summary>
     /// <exception cref="PeopleException">With <see cref="PeopleError.SignInRefused"/>, <see cref="PeopleError.LockedOut"/>,
     /// <see cref="PeopleError.UserDisabled"/> (with the right password only) or <see cref="PeopleError.NoUsers"/>.</exception>
     public SignedIn SignIn(string name, string password)
     {
-        // An attempt counts as failed before the comparison, so many parallel attempts gain nothing over sequential ones.
         var (person, failures, lockedUntil) = _store.Write(t => BeginTry(t, name));
+        return Compared(
+            person, failures, lockedUntil, (person?.Password, password), null, Recorded.SignedIn, Recorded.WrongPassword, null);
+    }
+
+    // What is typed is a password, or, with a stored one, a PIN.
+    private SignedIn Compared(
+        Person? person,
+        SignInFailures failures,
+        DateTimeOffset? lockedUntil,
+        (string? Hash, string Typed) compared,
+        CredentialRow? pin,
+        SentenceForm how,
+        SentenceForm wrong,
+        string? badge)
+    {
         if (lockedUntil is { } until)
         {
             throw Refusal(PeopleError.LockedOut, "There were too many failed sign-ins in a row.", until);
         }
 
-        var (isRight, isStale) = Hashes.Compare(person?.Password, password);
+        var (isRight, isStale) = Hashes.Compare(compared.Hash, compared.Typed);
         if (person?.Problem is { } problem)
         {
             // Regardless of the password: the row is not the cell's, or its role is unknown.
@@ -121,15 +237,22 @@ public sealed class UserBook
 
         if (person is not null && isRight && !person.IsDisabled)
         {
-            var fresh = isStale ? Hashes.Of(password) : null;
-            return _store.Write(t => EndTry(t, person, fresh));
+            var fresh = isStale ? Hashes.Of(compared.Typed) : null;
+            return _store.Write(t =>
+            {
+                // The badge is still this user's: it was looked up before the PIN was typed.
+                if (badge is not null
+                    && CredentialRow.FindBadge(t, Credentials.BadgeHash(KeyOf(t), badge))?.NameKey != UserName.Key(person.Name))
+                {
+                    throw Refusal(PeopleError.SignInRefused, "The user was changed at this moment.", null);
+                }
+
+                return EndTry(t, person, pin, fresh, how);
+            });
         }
 
-        lockedUntil = _store.Write(t => Fail(t, person, failures, isRight));
-        throw isRight
-            ? new PeopleException(
-                PeopleError.UserDisabled, $"The user {person!.Name} is disabled. An administrator can change that: errormatch user enable.")
-            : Refusal(PeopleError.SignInRefused, "Name or password is wrong.", lockedUntil);
+        lockedUntil = _store.Write(t => Fail(t, person, failures, isRight, wrong));
+        throw isRight ? Disabled(person!) : Refusal(PeopleError.SignInRefused, "Name or password is wrong.", lockedUntil);
     }
 
     /// <summary>Ensures that the signed-in user may do something now: the user still exists and still has the role, and for an act that
@@ -149,6 +272,9 @@ public sealed class UserBook
         return name;
     });
 
+    // Whose rows were deleted from outside has left nothing that the new users could sign in with.
+    private static bool ForgetCredentials(StoreTransaction t) => t.Execute("DELETE FROM credential") >= 0;
+
     private static string Word(Role role) => Rights.Word(role);
 
     private static (Person? Person, SignInFailures Failures, DateTimeOffset? LockedUntil) BeginTry(StoreTransaction t, string name)
@@ -161,6 +287,7 @@ public sealed class UserBook
                 "This cell has no users yet. The first is made by errormatch user add CONFIG NAME --role administrator.");
         }
 
+        // An attempt counts as failed before the comparison, so many parallel attempts gain nothing over sequential ones.
         var failures = person is null ? SignInFailures.Of(t, name) : SignInFailures.Of(t, person);
 
         // A clock that was set back must not keep a lock until the earlier time is reached again.
@@ -171,31 +298,74 @@ public sealed class UserBook
         return (person, failures, until);
     }
 
-    private SignedIn EndTry(StoreTransaction t, Person tried, string? freshHash)
+    // A badge is looked up, not compared: only badges of nobody count, and all together, because there is no name to lock.
+    private static (Person? Person, SignInFailures Failures, DateTimeOffset? LockedUntil) BeginTry(
+        StoreTransaction t, string code, byte[] key)
+    {
+        var failures = SignInFailures.Of(t, Credentials.AllBadges);
+        failures = failures.Last > t.Now ? failures with { Last = t.Now } : failures;
+        if (LockOut.Until(failures.Failures, failures.Last, t.Now) is { } until)
+        {
+            return (null, failures, until);
+        }
+
+        if (CredentialRow.FindBadge(t, Credentials.BadgeHash(key, code)) is { } badge && Person.Find(t, badge.NameKey) is { } person)
+        {
+            return (person, failures, null);
+        }
+
+        failures = new(failures.Failures + 1, t.Now);
+        failures.Keep(t, Credentials.AllBadges, isUser: true);
+        var locked = LockOut.Until(failures.Failures, failures.Last, t.Now);
+        var basis = Recorded.NoSuchBadge.With(failures.Failures);
+        t.Audit("unknown", "sign-in-failed", null, locked is null ? basis : Recorded.UntilUtc.With(basis, locked));
+        return (null, failures, null);
+    }
+
+    private static PeopleException RefusedBadge(SignInFailures failures, DateTimeOffset? lockedUntil) => lockedUntil is { } until
+        ? Refusal(PeopleError.LockedOut, "There were too many badges of nobody in a row.", until)
+        : Refusal(
+            PeopleError.SignInRefused,
+            "This badge belongs to nobody here.",
+            LockOut.Until(failures.Failures, failures.Last, failures.Last));
+
+    private static PeopleException Disabled(Person person) => new(
+        PeopleError.UserDisabled, $"The user {person.Name} is disabled. An administrator can change that: errormatch user enable.");
+
+    private SignedIn EndTry(StoreTransaction t, Person tried, CredentialRow? pin, string? freshHash, SentenceForm how)
     {
         var person = Person.Find(t, tried.Name);
-        if (person is null || person.Password != tried.Password || person.IsDisabled || person.Problem is not null)
+        if (person is null
+            || person.Password != tried.Password
+            || (pin is not null && CredentialRow.Find(t, tried.Name, CredentialKind.Pin)?.Hash != pin.Hash)
+            || person.IsDisabled
+            || person.Problem is not null)
         {
             throw Refusal(PeopleError.SignInRefused, "The user was changed at this moment.", null);
         }
 
-        SignInFailures.Forget(t, person.Name);
-        if (freshHash is not null)
+        SignInFailures.Forget(t, how == Recorded.SignedInByBadge ? Credentials.AllBadges : person.Name);
+        if (freshHash is not null && pin is not null)
+        {
+            (pin with { Hash = freshHash }).Put(t);
+        }
+        else if (freshHash is not null)
         {
             (person with { Password = freshHash }).Update(t);
         }
 
-        t.Audit(person.Name, "signed-in", null, Recorded.SignedIn.With(Word(person.Role!.Value)));
+        t.Audit(person.Name, "signed-in", null, how.With(Word(person.Role!.Value)));
         return new SignedIn(Known(t, person), _clock);
     }
 
-    private static DateTimeOffset? Fail(StoreTransaction t, Person? person, SignInFailures failures, bool isRight)
+    private static DateTimeOffset? Fail(
+        StoreTransaction t, Person? person, SignInFailures failures, bool isRight, SentenceForm wrong)
     {
         var until = LockOut.Until(failures.Failures, failures.Last, failures.Last);
         var strangers = SignInFailures.ForgetStrangers(t);
         if (person is not null)
         {
-            var basis = isRight ? Recorded.WrongDisabled.With() : Recorded.WrongPassword.With(failures.Failures);
+            var basis = isRight ? Recorded.WrongDisabled.With() : wrong.With(failures.Failures);
             t.Audit(
                 person.Name,
                 until is null ? "sign-in-failed" : "locked",
@@ -214,6 +384,10 @@ public sealed class UserBook
         return until;
     }
 
+    // PINs and badges have rows of their own.
+    private User Change(SignedIn by, string name, string what, Action<StoreTransaction, Person> put, bool isOwnAllowed = false) =>
+        _store.Write(t => Change(t, by, name, what, "", p => p, p => put(t, p), isUnlocked: false, isOwnAllowed));
+
     private User Change(
         SignedIn by,
         string name,
@@ -222,7 +396,18 @@ public sealed class UserBook
         Func<Person, Person> change,
         bool isUnlocked = false,
         bool isOwnAllowed = false) =>
-        _store.Write(t =>
+        _store.Write(t => Change(t, by, name, what, basis, change, p => p.Update(t), isUnlocked, isOwnAllowed));
+
+    private User Change(
+        StoreTransaction t,
+        SignedIn by,
+        string name,
+        string what,
+        Statement basis,
+        Func<Person, Person> change,
+        Action<Person> put,
+        bool isUnlocked,
+        bool isOwnAllowed)
     {
         if (isOwnAllowed && UserName.Key(by.Name) == UserName.Key(name))
         {
@@ -246,7 +431,7 @@ public sealed class UserBook
                     + $"administrator first.");
         }
 
-        after.Update(t);
+        put(after);
         if (isUnlocked)
         {
             SignInFailures.Forget(t, name);
@@ -254,7 +439,7 @@ public sealed class UserBook
 
         t.Audit(by.Name, what, before.Name, basis);
         return Known(t, after);
-    });
+    }
 
     private void Demand(StoreTransaction t, SignedIn who, Act act)
     {
@@ -320,10 +505,19 @@ public sealed class UserBook
         {
             RoleWord = person.RoleWord.ToLowerInvariant(),
             Problem = person.Problem is { } problem ? (problem.Error, problem.Message) : null,
+            HasPin = HasCredential(t, person, CredentialKind.Pin),
+            HasBadge = HasCredential(t, person, CredentialKind.Badge),
             Failures = failures.Failures,
             LockedUntil = LockOut.Until(failures.Failures, failures.Last > t.Now ? t.Now : failures.Last, t.Now),
         };
     }
+
+    private static bool HasCredential(StoreTransaction t, Person person, CredentialKind kind) => t.Value<long>(
+        "SELECT count(*) FROM credential WHERE name_key = @Key AND kind = @Kind AND hash <> ''",
+        [("Key", UserName.Key(person.Name)), ("Kind", CredentialRow.Word(kind))]) > 0;
+
+    private static byte[] KeyOf(StoreTransaction t) => t.Key ?? throw new PeopleException(
+        PeopleError.KeysMissing, "PINs and badges need the key of the audit trail, and this store was opened without it.");
 
     private static bool IsManaging(Person person) => person is { Role: Role.Administrator, IsDisabled: false, IsAsLeft: true };
 

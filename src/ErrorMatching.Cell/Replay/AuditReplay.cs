@@ -105,7 +105,8 @@ internal sealed class AuditReplay
         {
             AddStep(entry, state);
         }
-        else if (entry.What is "user-added" or "role-set" or "user-disabled" or "user-enabled" or "password-set")
+        else if (entry.What is "user-added" or "role-set" or "user-disabled" or "user-enabled" or "password-set"
+            or "pin-set" or "badge-set" or "pin-removed" or "badge-removed")
         {
             AddPerson(entry);
         }
@@ -200,8 +201,8 @@ internal sealed class AuditReplay
         {
             // Anyone who can write the store and has its keys may start over with new users; the entry itself shows it.
             _people.Clear();
-            foreach (var row in _codes.Keys.Where(r => r.StartsWith(Person.RowPrefix, StringComparison.Ordinal) && r != Person.NameOf(key))
-                .ToArray())
+            foreach (var row in _codes.Keys.Where(r => CredentialRow.IsName(r)
+                || (r.StartsWith(Person.RowPrefix, StringComparison.Ordinal) && r != Person.NameOf(key))).ToArray())
             {
                 _codes.Remove(row);
             }
@@ -210,7 +211,7 @@ internal sealed class AuditReplay
             return;
         }
 
-        var isOwn = entry.What == "password-set" && UserName.Key(entry.Who) == key;
+        var isOwn = entry.What is "password-set" or "pin-set" or "pin-removed" && UserName.Key(entry.Who) == key;
         if (!isOwn && NotEntitled(entry.Who, Act.ManageUsers) is { } problem)
         {
             Fault ??= Of(entry, Recorded.UserNotAllowed.With(entry.Seq, entry.What, name, entry.Who, problem));
@@ -228,7 +229,7 @@ internal sealed class AuditReplay
             "role-set" when role is { } given => before is null ? null : before with { Role = given, Seq = entry.Seq },
             "user-disabled" => before is null ? null : before with { IsDisabled = true, Seq = entry.Seq },
             "user-enabled" => before is null ? null : before with { IsDisabled = false, Seq = entry.Seq },
-            "password-set" => before,
+            "password-set" or "pin-set" or "badge-set" or "pin-removed" or "badge-removed" => before,
             _ => null,
         };
         if (after is null)

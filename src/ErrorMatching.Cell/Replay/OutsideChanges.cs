@@ -68,6 +68,13 @@ internal sealed class OutsideChanges(CellDatabase database, byte[]? key)
             else if (Person.Looked(person!, key).Problem is { } problem) found.Add(problem.Statement);
         }
 
+        foreach (var (credential, fault) in Look(
+            CredentialRow.SelectKept + " ORDER BY name_key, kind", CredentialRow.ReadKept, "credential"))
+        {
+            if (fault is not null) found.Add(fault.Statement);
+            else if (!credential!.Holds(key)) found.Add(CredentialRow.Tampered(credential.Value).Statement);
+        }
+
         foreach (var (slot, fault) in Look(SlotRow.SelectKept + " ORDER BY machine, slot", SlotRow.ReadKept, "slot"))
         {
             if (fault is not null) found.Add(fault.Statement);

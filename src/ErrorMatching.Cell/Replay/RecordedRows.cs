@@ -29,7 +29,7 @@ internal sealed class RecordedRows(DbConnection connection, DbTransaction transa
         return Corrections(holders, settled)
             ?? slots.Select(s => s.Row is { } row ? OfSlot(row) : s.Fault).FirstOrDefault(f => f is not null)
             ?? People()
-            ?? Missing(slots.Select(s => s.Row!.Coded.Name));
+            ?? CredentialsAndMissing(slots.Select(s => s.Row!.Coded.Name));
     }
 
     /// <summary>What is wrong with the row of a correction; null if nothing is.</summary>
@@ -191,11 +191,21 @@ internal sealed class RecordedRows(DbConnection connection, DbTransaction transa
                 .Select(p => Differs(p.Value.Seq, Recorded.UserMissing.With(p.Value.Name, p.Value.Seq))).FirstOrDefault();
     }
 
-    // The trail knows slots only by their codes.
-    private AuditFault? Missing(IEnumerable<string> slots)
+    /// <summary>What is wrong with the row of a PIN or badge; null if nothing is.</summary>
+    public AuditFault? OfCredential(StoredRow<CredentialRow> row) => OfCode(
+        row.Coded, row.Code, seq => Recorded.CredentialDiffers.With(CredentialRow.Word(row.Value.Kind), row.Value.NameKey, seq));
+
+    // The trail knows slots, PINs and badges only by their codes.
+    private AuditFault? CredentialsAndMissing(IEnumerable<string> slots)
     {
-        var there = slots.ToHashSet(StringComparer.Ordinal);
-        return replay.CodedRows.Where(r => SlotRow.IsName(r) && !there.Contains(r))
+        var credentials = Query(CredentialRow.SelectKept + " ORDER BY name_key, kind", CredentialRow.ReadKept, "credential");
+        if (credentials.Select(c => c.Row is { } row ? OfCredential(row) : c.Fault).FirstOrDefault(f => f is not null) is { } fault)
+        {
+            return fault;
+        }
+
+        var there = slots.Concat(credentials.Select(c => c.Row!.Coded.Name)).ToHashSet(StringComparer.Ordinal);
+        return replay.CodedRows.Where(r => (SlotRow.IsName(r) || CredentialRow.IsName(r)) && !there.Contains(r))
             .Order(StringComparer.Ordinal)
             .Select(r => Differs(replay.CodeOf(r)!.Value.Seq, Recorded.RowMissing.With(r, replay.CodeOf(r)!.Value.Seq))).FirstOrDefault();
     }

@@ -35,6 +35,18 @@ public enum PeopleError
     /// <summary>The password is not allowed.</summary>
     WeakPassword,
 
+    /// <summary>The PIN is not allowed.</summary>
+    WeakPin,
+
+    /// <summary>The badge's code is not allowed.</summary>
+    BadBadge,
+
+    /// <summary>The badge belongs to another user.</summary>
+    BadgeTaken,
+
+    /// <summary>The cell does not let people sign in this way, or the user has nothing to do so with.</summary>
+    WayNotAllowed,
+
     /// <summary>A user with this name exists.</summary>
     UserExists,
 

@@ -15,6 +15,12 @@ public sealed record User(string Name, Role Role, bool IsDisabled, DateTimeOffse
     /// neither is the case.</summary>
     public (PeopleError Error, string Message)? Problem { get; init; }
 
+    /// <summary>True if the user has a PIN.</summary>
+    public bool HasPin { get; init; }
+
+    /// <summary>True if a badge belongs to the user.</summary>
+    public bool HasBadge { get; init; }
+
     /// <summary>Failed sign-ins since the last successful one.</summary>
     public int Failures { get; init; }
 
@@ -22,7 +28,8 @@ public sealed record User(string Name, Role Role, bool IsDisabled, DateTimeOffse
     public DateTimeOffset? LockedUntil { get; init; }
 }
 
-/// <summary>Evidence that a user has just given the right password. Only <see cref="UserBook.SignIn"/> creates it.</summary>
+/// <summary>Evidence that a user has just given the right password, or what the cell accepts instead. Only a <see cref="UserBook"/> creates
+/// it.</summary>
 public sealed class SignedIn
 {
     private readonly long _timestamp;

@@ -238,10 +238,15 @@ public static class Recorded
     internal static readonly SentenceForm FirstAdministrator = new(
         "first-administrator", "the first administrator, made by who can write the store");
     internal static readonly SentenceForm SignedIn = new("signed-in", "by password, as {0:word}");
+    internal static readonly SentenceForm SignedInByPin = new("signed-in-by-pin", "by PIN, as {0:word}");
+    internal static readonly SentenceForm SignedInByBadge = new("signed-in-by-badge", "by badge, as {0:word}");
+    internal static readonly SentenceForm SignedInByBadgeAndPin = new("signed-in-by-badge-and-pin", "by badge and PIN, as {0:word}");
     internal static readonly SentenceForm AsRole = new("as-role", "as {0:word}");
     internal static readonly SentenceForm ToRole = new("to-role", "to {0:word}");
     internal static readonly SentenceForm UntilUtc = new("until-utc", "{0}; until {1:yyyy-MM-dd HH:mm:ss} UTC");
     internal static readonly SentenceForm WrongPassword = new("wrong-password", "wrong password, {0:0} in a row");
+    internal static readonly SentenceForm WrongPin = new("wrong-pin", "wrong PIN, {0:0} in a row");
+    internal static readonly SentenceForm NoSuchBadge = new("no-such-badge", "a badge of nobody, {0:0} in a row");
     internal static readonly SentenceForm WrongDisabled = new("wrong-disabled", "the user is disabled");
     internal static readonly SentenceForm NoSuchName = new("no-such-name", "no user has this name");
     internal static readonly SentenceForm NoSuchNames = new(
@@ -280,6 +285,10 @@ public static class Recorded
         "user-tampered",
         "The user {0} is not as the cell left it: somebody else wrote to its row of the store. This user may do nothing "
         + "until another administrator sets a new password (errormatch user password).");
+    internal static readonly SentenceForm CredentialTampered = new(
+        "credential-tampered",
+        "The {0:word} of {1} is not as the cell left it: somebody else wrote to its row of the store. Nobody signs in with it until an "
+        + "administrator sets another one or takes it away (errormatch user pin, errormatch user badge).");
     internal static readonly SentenceForm UserOfNoRole = new(
         "user-of-no-role",
         "The store says that the user {0} is \"{1}\", and there is no such role: it is operator, setter or administrator. This user may "
@@ -351,6 +360,9 @@ public static class Recorded
         "user-differs",
         "The row of the user {0} is not the one that entry {1:0} of the audit trail left: its password, name or times "
         + "were changed.");
+    internal static readonly SentenceForm CredentialDiffers = new(
+        "credential-differs",
+        "The {0:word} of {1} is not the one that entry {2:0} of the audit trail left.");
     internal static readonly SentenceForm UserMissing = new(
         "user-missing",
         "The user {0} is not in the store any more; entry {1:0} of the audit trail is about it.");
@@ -413,6 +425,7 @@ public static class Recorded
         PartOfNumberUnmeasured, NamedBoth, NamedSerial, NamedOrder, PartUnmeasured, NotReleasedReverted, NotReleased, BaseReverted,
         NotFeedback,
         NotFeedbackSurface, JobChanged, OriginalChanged, OverLimit, OverSumLimit, AtPlace, AndMore, Defect, FirstAdministrator, SignedIn,
+        SignedInByPin, SignedInByBadge, SignedInByBadgeAndPin, WrongPin, NoSuchBadge, CredentialTampered, CredentialDiffers,
         AsRole, ToRole, UntilUtc,
         WrongPassword, WrongDisabled, NoSuchName, NoSuchNames, ByHand, Idle, StoreMade, FromBackup, StoredAside, SetBack, WitnessBegun,
         JobFiles, JobFile, JobInPlace, Program, File,

@@ -35,7 +35,8 @@ internal static class FailureOfCell
     private static ExitCode ExitOf(PeopleError error) => error switch
     {
         PeopleError.LockedOut or PeopleError.UserDisabled or PeopleError.UnknownRole or PeopleError.Tampered or PeopleError.KeysMissing
-            or PeopleError.NotAllowed or PeopleError.NotSigned or PeopleError.LastAdministrator or PeopleError.SecretUnreadable =>
+            or PeopleError.NotAllowed or PeopleError.NotSigned or PeopleError.LastAdministrator or PeopleError.SecretUnreadable
+            or PeopleError.BadgeTaken or PeopleError.WayNotAllowed =>
                 ExitCode.Refused,
         PeopleError.KeysUnusable => ExitCode.Outside,
         _ => ExitCode.WrongInput,

@@ -100,7 +100,9 @@ internal static class CommandTree
             new UserDisable(),
             new UserEnable(),
             new UserRole(),
-            new UserPassword()
+            new UserPassword(),
+            new UserPin(),
+            new UserBadge()
         },
         "audit" => new Command(word, "Proves and hands out what was done at a cell, and by whom.")
         {

@@ -28,7 +28,7 @@ public sealed class Station : IDisposable
         (Settings, Clock) = (settings, clock);
         Store = Opened(settings, clock);
         Users = new(Store, clock);
-        Session = new(Users, clock, idle);
+        Session = new(Users, clock, idle, settings.SignIn);
         _watching = Task.Run(() => new StationWatch(this).RunAsync(Show, _end.Token)).Watched();
     }
 

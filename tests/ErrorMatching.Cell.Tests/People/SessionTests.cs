@@ -8,7 +8,7 @@ public sealed class SessionTests : PeopleTest
     public SessionTests()
     {
         Users.AddFirst("Anna", Right);
-        _session = new Session(Users, Clock, Idle);
+        _session = new Session(Users, Clock, Idle, SignInWays.Password);
     }
 
     [Fact]

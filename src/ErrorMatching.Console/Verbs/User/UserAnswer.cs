@@ -21,6 +21,8 @@ internal sealed class UserAnswer(string schema, User user, string sentence) : Do
         json.WriteBoolean("isDisabled", user.IsDisabled);
         json.WriteString("addedAt", Time(user.AddedAt));
         json.WriteString("passwordAt", Time(user.PasswordAt));
+        json.WriteBoolean("hasPin", user.HasPin);
+        json.WriteBoolean("hasBadge", user.HasBadge);
         json.WriteNumber("failures", user.Failures);
         if (user.LockedUntil is { } until)
         {

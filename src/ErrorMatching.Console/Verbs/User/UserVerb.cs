@@ -106,6 +106,57 @@ internal sealed class UserPassword() : UserVerb(
     }
 }
 
+/// <summary>A verb that sets what a user signs in with at a station besides a password, or takes it away.</summary>
+internal abstract class CredentialVerb : UserVerb
+{
+    private readonly Option<bool> _remove;
+
+    protected CredentialVerb(string name, string description, string example, string what)
+        : base(name, description, example, $"the password of who signs, then the {what} (not with --remove)")
+    {
+        _remove = new("--remove") { Description = $"Take the {what} away.", Arity = ArgumentArity.Zero };
+        Options.Add(_remove);
+    }
+
+    protected sealed override VerbResult Run(UserBook users, string name, ParseResult arguments)
+    {
+        var by = Sign(users, arguments);
+        return arguments.GetValue(_remove) ? Remove(users, by, name) : Set(users, by, name, arguments);
+    }
+
+    protected abstract VerbResult Set(UserBook users, SignedIn by, string name, ParseResult arguments);
+
+    protected abstract VerbResult Remove(UserBook users, SignedIn by, string name);
+}
+
+/// <summary><c>errormatch user pin</c>.</summary>
+internal sealed class UserPin() : CredentialVerb(
+    "pin",
+    "Sets a PIN for stations: one's own, or as an administrator anybody's.",
+    "errormatch user pin samples/cell/cell.json anna --user anna",
+    "PIN")
+{
+    protected override VerbResult Set(UserBook users, SignedIn by, string name, ParseResult arguments) =>
+        Answer(users.SetPin(by, name, AskNew($"new PIN of {name}", arguments)), u => $"{u.Name} has a new PIN.");
+
+    protected override VerbResult Remove(UserBook users, SignedIn by, string name) =>
+        Answer(users.RemovePin(by, name), u => $"{u.Name} has no PIN.");
+}
+
+/// <summary><c>errormatch user badge</c>.</summary>
+internal sealed class UserBadge() : CredentialVerb(
+    "badge",
+    "Binds a badge to a user, for stations. An administrator signs.",
+    "errormatch user badge samples/cell/cell.json ben --user anna",
+    "code of the badge")
+{
+    protected override VerbResult Set(UserBook users, SignedIn by, string name, ParseResult arguments) =>
+        Answer(users.SetBadge(by, name, AskNew($"badge of {name}", arguments)), u => $"The badge belongs to {u.Name} now.");
+
+    protected override VerbResult Remove(UserBook users, SignedIn by, string name) =>
+        Answer(users.RemoveBadge(by, name), u => $"{u.Name} has no badge.");
+}
+
 /// <summary><c>errormatch user role</c>.</summary>
 internal sealed class UserRole : UserVerb
 {
