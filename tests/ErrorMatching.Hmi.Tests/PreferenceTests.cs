@@ -7,7 +7,8 @@ namespace ErrorMatching.Hmi.Tests;
 /// <summary>Everybody finds the station as they left it, whatever became of the file meanwhile.</summary>
 public sealed class PreferenceTests
 {
-    private static readonly Preferences Dark = new(Language.TraditionalChinese, IsDark: true, TouchSize.Large, ["/somewhere"]);
+    private static readonly Preferences Dark = new(
+        Language.TraditionalChinese, IsDark: true, TouchSize.Large, KeyboardUse.Always, ["/somewhere"]);
 
     [Fact]
     public void What_is_kept_is_read_again_for_each_user()
@@ -18,8 +19,8 @@ public sealed class PreferenceTests
         files.Keep("../anna", Dark);
         files.Keep("王小明", Dark with { Language = Language.English });
         Assert.Equal(
-            (Dark.Language, Dark.IsDark, Dark.TouchSize),
-            files.Read("../anna") is { } read ? (read.Language, read.IsDark, read.TouchSize) : default);
+            (Dark.Language, Dark.IsDark, Dark.TouchSize, Dark.Keyboard),
+            files.Read("../anna") is { } read ? (read.Language, read.IsDark, read.TouchSize, read.Keyboard) : default);
         Assert.Equal(Dark.Folders, files.Read("../anna")!.Folders);
         Assert.Equal(Language.English, files.Read("王小明")!.Language);
         Assert.Equal(2, Directory.GetFiles(folder["new"]).Length);

@@ -38,7 +38,10 @@ public sealed partial class TextTests
                     or "List.Between"
                     or "System.LabelsOf"
                     or "Detail.X"
-                    or "Detail.Y")),
+                    or "Detail.Y"
+                    or "Keyboard.Letters"
+                    or "Keyboard.Signs"
+                    or "Keyboard.Numbers")),
         t => Assert.True(t.Value.Any(c => c is >= '\u4e00' and <= '\u9fff'), t.Key));
 
     [Fact]

@@ -26,6 +26,7 @@ public sealed class PreferenceFiles(string folder)
             "language": { "enum": ["English", "TraditionalChinese"] },
             "theme": { "enum": ["light", "dark"] },
             "targets": { "enum": ["Standard", "Large", "Largest"] },
+            "keyboard": { "enum": ["Finger", "Always", "Never"] },
             "folders": { "type": "array", "maxItems": 5, "items": { "type": "string", "minLength": 1 } }
           }
         }
@@ -55,6 +56,9 @@ public sealed class PreferenceFiles(string folder)
                 Enum.Parse<Language>(document["language"].Text),
                 document["theme"].Text == "dark",
                 Enum.Parse<TouchSize>(document["targets"].Text),
+
+                // Files of earlier versions do not have it.
+                document.Find("keyboard") is { } keyboard ? Enum.Parse<KeyboardUse>(keyboard.Text) : KeyboardUse.Finger,
                 [.. document["folders"].Items.Select(i => i.Text).Where(IsFolder)]);
     }
 
@@ -71,6 +75,7 @@ public sealed class PreferenceFiles(string folder)
             writer.WriteString("language", preferences.Language.ToString());
             writer.WriteString("theme", preferences.IsDark ? "dark" : "light");
             writer.WriteString("targets", preferences.TouchSize.ToString());
+            writer.WriteString("keyboard", preferences.Keyboard.ToString());
             writer.WriteStartArray("folders");
             foreach (var kept in preferences.Folders.Take(MostFolders))
             {

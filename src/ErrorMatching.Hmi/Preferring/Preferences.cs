@@ -4,8 +4,10 @@ namespace ErrorMatching.Hmi;
 /// <param name="Language">The language.</param>
 /// <param name="IsDark">True for the dark theme.</param>
 /// <param name="TouchSize">Height of touch targets.</param>
+/// <param name="Keyboard">When the keyboard on the screen opens.</param>
 /// <param name="Folders">Recently used folders, latest first.</param>
-public sealed record Preferences(Language Language, bool IsDark, TouchSize TouchSize, IReadOnlyList<string> Folders);
+public sealed record Preferences(
+    Language Language, bool IsDark, TouchSize TouchSize, KeyboardUse Keyboard, IReadOnlyList<string> Folders);
 
 /// <summary>Height of touch targets.</summary>
 public enum TouchSize
@@ -18,4 +20,17 @@ public enum TouchSize
 
     /// <summary>20 mm.</summary>
     Largest,
+}
+
+/// <summary>When the keyboard on the screen opens.</summary>
+public enum KeyboardUse
+{
+    /// <summary>When a finger or a pen leads to a field.</summary>
+    Finger,
+
+    /// <summary>When a mouse does, too.</summary>
+    Always,
+
+    /// <summary>Never.</summary>
+    Never,
 }

@@ -17,6 +17,7 @@ public sealed partial class MainWindow : Window
     private static readonly TimeSpan Quiet = TimeSpan.FromMilliseconds(200);
     private readonly FocusKeeper _focus;
     private readonly DispatcherTimer _tidying;
+    private readonly KeyboardKeeper _keyboard;
     private readonly TypingKeeper _typing;
     private ShellViewModel? _shell;
 
@@ -32,8 +33,9 @@ public sealed partial class MainWindow : Window
         _ = new TapKeeper(this);
         _ = new SecondTapGuard(this);
         Aim = new(this);
+        _keyboard = new(this, Keyboard, Whole);
         AddHandler(PointerPressedEvent, (_, _) => Touch(isByKeyboard: false), RoutingStrategies.Tunnel, handledEventsToo: true);
-        AddHandler(KeyDownEvent, (_, _) => Touch(isByKeyboard: true), RoutingStrategies.Tunnel, handledEventsToo: true);
+        AddHandler(KeyDownEvent, (_, _) => Touch(isByKeyboard: !Keyboard.IsActing), RoutingStrategies.Tunnel, handledEventsToo: true);
         _typing = new(this);
         Texts.Current.LanguageChanged += LayOutAnew;
         Application.Current!.PlatformSettings?.ColorValuesChanged += OnSystemColors;
@@ -114,6 +116,11 @@ public sealed partial class MainWindow : Window
     private void OnShell(object? sender, PropertyChangedEventArgs e)
     {
         _typing.Follow();
+        if (_shell!.IsLocked)
+        {
+            _keyboard.Leave();
+        }
+
         if (e.PropertyName is nameof(ShellViewModel.IsDark))
         {
             ShowTheme();
@@ -129,6 +136,7 @@ public sealed partial class MainWindow : Window
         else if (e.PropertyName is nameof(ShellViewModel.Current))
         {
             Aim.Leave();
+            _keyboard.Leave();
             _tidying.Stop();
             _tidying.Start();
         }

@@ -21,15 +21,17 @@ internal sealed class ScannedCode
 
     private readonly StringBuilder _code = new();
     private ulong _last;
-    private bool _isAnnounced;
     private bool _isByHand;
+
+    /// <summary>True from the prefix to the end of its code.</summary>
+    public bool IsAnnounced { get; private set; }
 
     /// <summary>Handles the prefix.</summary>
     /// <param name="at">When it was sent.</param>
     public void Announce(ulong at)
     {
         Clear();
-        (_isAnnounced, _last) = (true, at);
+        (IsAnnounced, _last) = (true, at);
     }
 
     /// <summary>Adds characters.</summary>
@@ -54,7 +56,7 @@ internal sealed class ScannedCode
     public string? End(ulong at)
     {
         Judge(at);
-        var (code, least) = (_code.ToString().Trim(), _isAnnounced ? 1 : Least);
+        var (code, least) = (_code.ToString().Trim(), IsAnnounced ? 1 : Least);
         var isCode = !_isByHand && _code.Length <= Most && code.Length >= least;
         Clear();
         return isCode ? code : null;
@@ -64,7 +66,7 @@ internal sealed class ScannedCode
     public void Clear()
     {
         _code.Clear();
-        (_isAnnounced, _isByHand) = (false, false);
+        (IsAnnounced, _isByHand) = (false, false);
     }
 
     // One slow key makes all of it typed by hand: its last characters may have been fast by chance.
@@ -77,7 +79,7 @@ internal sealed class ScannedCode
         }
         else
         {
-            _isByHand |= !_isAnnounced && _code.Length > 0 && since > Fast;
+            _isByHand |= !IsAnnounced && _code.Length > 0 && since > Fast;
         }
     }
 }

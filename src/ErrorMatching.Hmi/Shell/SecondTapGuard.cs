@@ -41,9 +41,13 @@ internal sealed class SecondTapGuard
         (_under, _at, _time, _isFirst) = (under, place, e.Timestamp, false);
     }
 
-    // A recreated row or tile counts as the same; a control that shows something else counts as another one.
+    // A recreated row or tile counts as the same, and so do the keys of the keyboard; a control that shows something else does not.
     private static bool IsSame((Control? Control, string Id) now, (Control? Control, string Id) before) =>
-        now.Id == before.Id && (ReferenceEquals(now.Control, before.Control) || (now.Control is { } control && TapKeeper.IsKept(control)));
+        (now.Id == before.Id && (ReferenceEquals(now.Control, before.Control) || (now.Control is { } control && TapKeeper.IsKept(control))))
+            || (IsKey(now.Control) && IsKey(before.Control));
+
+    // Two neighboring keys are typed as quickly as one of them twice.
+    private static bool IsKey(Control? control) => control is Button && control.Classes.Contains("key");
 
     private static (Control? Control, string Id) Under(object? source)
     {

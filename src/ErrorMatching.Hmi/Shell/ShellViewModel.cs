@@ -191,10 +191,22 @@ public sealed class ShellViewModel : Observable, IDisposable
     /// <summary>Opens a screen.</summary>
     public void Go(string key) => Chosen = Items.First(i => i.Screen.Key == key);
 
-    /// <summary>Handles a code from a barcode scanner: the open screen takes it if it accepts codes, otherwise the history. While a
-    /// signature is being prepared there is no code: what is typed then is meant for the signature.</summary>
+    /// <summary>True if a scanned code is a badge now, also if a field has the focus: somebody signs in or signs, and the cell takes
+    /// badges.</summary>
+    public bool TakesBadge =>
+        (IsLocked || Signing is { NeedsPassword: true })
+            && (Station.Session.Ways & (SignInWays.Badge | SignInWays.BadgeWithPin)) != SignInWays.Password;
+
+    /// <summary>Handles a code from a scanner. While somebody signs in or signs, it is a badge if the cell takes badges, and nothing
+    /// otherwise. Else the open screen takes it if it accepts codes, otherwise the history.</summary>
     public void Scan(string code)
     {
+        if (TakesBadge)
+        {
+            ((ITakesCodes?)Signing ?? _login as ITakesCodes)?.TakeCode(code);
+            return;
+        }
+
         if (IsLocked || !IsFree || Editing.Save.IsRunning || Editing.PutInUse.IsRunning)
         {
             return;

@@ -2,14 +2,16 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Signs one act: the user gives a reason if one is required, and enters the password again if the act requires it.</summary>
-public sealed class SigningViewModel : Observable
+/// <summary>Signs one act: the user gives a reason if one is required, and the password, PIN or badge again if the act requires
+/// it.</summary>
+public sealed class SigningViewModel : Observable, ITakesCodes
 {
     private readonly Station _station;
     private readonly Func<SignedIn, string?, CancellationToken, Task> _carryOut;
     private string _reason = "";
     private string _password = "";
     private string? _message;
+    private string? _badge;
 
     /// <summary>Asks for a signature.</summary>
     /// <param name="station">The station.</param>
@@ -26,7 +28,9 @@ public sealed class SigningViewModel : Observable
         (Act, Subject, UserName, NeedsReason, NeedsPassword) = (act, subject, who.Name, needsReason, Rights.IsSigned(act));
         Who = who;
         Confirm = new(
-            RunAsync, () => IsRead && (!NeedsReason || !string.IsNullOrWhiteSpace(Reason)) && (!NeedsPassword || Password.Length > 0));
+            c => RunAsync(NeedsPassword ? Password : null, c),
+            () => IsRead && (!NeedsReason || !string.IsNullOrWhiteSpace(Reason)) && (!NeedsPassword || Password.Length > 0));
+        ByBadge = new(c => RunAsync(null, c));
         Leave = new(() => Done?.Invoke());
     }
 
@@ -76,14 +80,54 @@ public sealed class SigningViewModel : Observable
     /// <summary>The act, in words.</summary>
     public string Title => Texts.Current[Key];
 
-    /// <summary>Names the user whose password is required.</summary>
-    public string PasswordLabel => Texts.Current.With("Signing.Password", UserName);
+    /// <summary>Names the user whose password, PIN or badge is required.</summary>
+    public string PasswordLabel => Texts.Current.With(
+        _station.Session.Ways switch
+        {
+            _ when _badge is not null => "Signing.Pin",
+            var ways when ways.HasFlag(SignInWays.Badge) => "Signing.PasswordOrBadge",
+            var ways when ways.HasFlag(SignInWays.Pin) => "Signing.PasswordOrPin",
+            var ways when ways.HasFlag(SignInWays.BadgeWithPin) => "Signing.PasswordOrBadgeAndPin",
+            _ => "Signing.Password",
+        },
+        UserName);
+
+    /// <summary>True if a PIN counts, alone or with a badge.</summary>
+    public bool TakesPin => (_station.Session.Ways & (SignInWays.Pin | SignInWays.BadgeWithPin)) != SignInWays.Password;
+
+    /// <summary>The shop's reasons, to tap instead of typing; empty for other acts than a rejection.</summary>
+    public IReadOnlyList<RejectionReason> Reasons => Act == Act.Reject && NeedsReason
+        ? [.. _station.Settings.RejectionReasons.Select((r, i) => new RejectionReason(r, i, new(() => Reason = r)))] : [];
 
     /// <summary>The consequence, in words.</summary>
     public string Consequence => Sentence.Joined(Texts.Current[ConsequenceKey?.Invoke() ?? Key + ".Consequence"], Told?.Invoke() ?? "");
 
     /// <summary>Signs and performs the act.</summary>
     public LongCommand Confirm { get; }
+
+    /// <summary>Takes a scanned badge: it signs, or the PIN is asked next. What it was typed into is emptied.</summary>
+    public void TakeCode(string code)
+    {
+        Password = "";
+        if (!_station.Session.Ways.HasFlag(SignInWays.Badge))
+        {
+            _badge = code;
+            Message = null;
+            OnPropertyChanged(nameof(PasswordLabel));
+        }
+        else if (!IsRead || (NeedsReason && string.IsNullOrWhiteSpace(Reason)))
+        {
+            Message = Texts.Current[IsRead ? "Signing.ReasonFirst" : "Signing.ReadFirst"];
+        }
+        else if (!Confirm.IsRunning)
+        {
+            _badge = code;
+            ByBadge.Execute(null);
+        }
+    }
+
+    /// <summary>Signs by the badge alone, and performs the act.</summary>
+    internal LongCommand ByBadge { get; }
 
     /// <summary>Cancels without any change.</summary>
     public Command Leave { get; }
@@ -151,16 +195,19 @@ public sealed class SigningViewModel : Observable
 
     private string Key => TitleKey ?? "Act." + Act;
 
-    private async Task RunAsync(CancellationToken cancellation)
+    // Without a secret, the badge alone signs.
+    private async Task RunAsync(string? secret, CancellationToken cancellation)
     {
-        var (password, reason) = (Password, string.IsNullOrWhiteSpace(Reason) ? null : Reason.Trim());
+        var (badge, reason) = (_badge, string.IsNullOrWhiteSpace(Reason) ? null : Reason.Trim());
         Message = null;
         try
         {
             await Task.Run(
                 async () =>
                 {
-                    var by = NeedsPassword ? _station.Session.SignAgain(password) : Who;
+                    var by = !NeedsPassword ? Who
+                        : badge is null ? _station.Session.SignAgain(secret!)
+                        : _station.Session.SignAgainByBadge(badge, secret);
                     if (!IsDemandedElsewhere)
                     {
                         _station.Users.Demand(by, Act);
@@ -176,12 +223,24 @@ public sealed class SigningViewModel : Observable
         {
             // This dialog does not ask for a user name.
             Message = e is PeopleException { Error: PeopleError.SignInRefused }
-                ? Texts.Current.With("Signing.WrongPassword", UserName)
+                ? Texts.Current.With(badge is not null && secret is null ? "Signing.WrongBadge" : "Signing.WrongPassword", UserName)
+                : e is PeopleException { Error: PeopleError.NotSigned } && badge is not null
+                ? Texts.Current.With("Signing.OtherBadge", UserName)
                 : Failures.Of(e, _station.Clock);
         }
         finally
         {
-            Password = "";
+            (_badge, Password) = (null, "");
+            OnPropertyChanged(nameof(PasswordLabel));
         }
     }
+}
+
+/// <summary>A reason for a rejection, to tap.</summary>
+/// <param name="Text">The reason, as the shop puts it.</param>
+/// <param name="Number">Its place in the list, from 0.</param>
+/// <param name="Take">Takes it as the reason.</param>
+public sealed record RejectionReason(string Text, int Number, Command Take)
+{
+    public string AutomationId => string.Create(System.Globalization.CultureInfo.InvariantCulture, $"signing-reason-{Number}");
 }

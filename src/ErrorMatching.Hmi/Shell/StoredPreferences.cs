@@ -10,6 +10,7 @@ public sealed class StoredPreferences : Observable, IDisposable
     private string? _user;
     private bool _isDark;
     private TouchSize _touchSize;
+    private KeyboardUse _keyboard;
     private IReadOnlyList<string> _folders = [];
     private string? _notice;
 
@@ -32,6 +33,13 @@ public sealed class StoredPreferences : Observable, IDisposable
     {
         get => _touchSize;
         set => Change(ref _touchSize, value);
+    }
+
+    /// <summary>When the keyboard on the screen opens.</summary>
+    public KeyboardUse Keyboard
+    {
+        get => _keyboard;
+        set => Change(ref _keyboard, value);
     }
 
     /// <summary>Recently used folders, latest first.</summary>
@@ -82,7 +90,7 @@ public sealed class StoredPreferences : Observable, IDisposable
     {
         if (_user is { } user && _station.Preferences is { } files)
         {
-            Running = KeepAsync(Running, files, user, new(Texts.Current.Language, IsDark, TouchSize, Folders)).Watched();
+            Running = KeepAsync(Running, files, user, new(Texts.Current.Language, IsDark, TouchSize, Keyboard, Folders)).Watched();
         }
     }
 
@@ -106,7 +114,8 @@ public sealed class StoredPreferences : Observable, IDisposable
             {
                 // With no user set, the values just read are not stored again.
                 _user = null;
-                (Texts.Current.Language, IsDark, TouchSize, Folders) = (read.Language, read.IsDark, read.TouchSize, read.Folders);
+                (Texts.Current.Language, IsDark, TouchSize) = (read.Language, read.IsDark, read.TouchSize);
+                (Keyboard, Folders) = (read.Keyboard, read.Folders);
                 _user = user;
             }
         }

@@ -54,7 +54,7 @@ internal sealed class TypingKeeper
             _moment.Start();
         }
 
-        if (!isOpen)
+        if (isOpen != _isOpen || (!isOpen && Shell is not { TakesBadge: true }))
         {
             _code.Clear();
         }
@@ -75,14 +75,22 @@ internal sealed class TypingKeeper
         {
             e.Handled = true;
         }
-        else if (Focused is not TextBox && e.Text is { } text)
+        else if (e.Text is { } text && !_window.Keyboard.IsActing && (Focused is not TextBox || Shell is { TakesBadge: true }))
         {
+            // A badge that announces itself shows nowhere. Of another one, its end tells what it was: then the field is emptied.
+            e.Handled = _code.IsAnnounced && Focused is TextBox;
             _code.Add(text, _at);
         }
     }
 
     private void OnKey(object? sender, KeyEventArgs e)
     {
+        if (_window.Keyboard.IsActing)
+        {
+            // A finger on the screen is no scanner.
+            return;
+        }
+
         // Who leaves a dialog by Escape types no password.
         _isEscape = e.Key == Key.Escape;
         switch (e.Key)
@@ -98,7 +106,7 @@ internal sealed class TypingKeeper
                 _code.Announce(_at);
                 e.Handled = true;
                 break;
-            case Key.Enter when Focused is not TextBox && _code.End(_at) is { } code:
+            case Key.Enter when (Focused is not TextBox || Shell is { TakesBadge: true }) && _code.End(_at) is { } code:
                 Shell?.Scan(code);
                 e.Handled = true;
                 break;

@@ -45,7 +45,7 @@ public sealed partial class FolderTests
         ["Hmi"] =
         [
             "Observing", "Texts", "Styles", "Controls", "Choosing", "Stored", "Demonstration", "Plots", "Drawings", "Programs",
-            "Preferring", "Station", "Editing", "Shell", "Screens", "",
+            "Preferring", "Station", "Editing", "Typing", "Shell", "Screens", "",
         ],
         ["Hmi/Screens"] =
         [

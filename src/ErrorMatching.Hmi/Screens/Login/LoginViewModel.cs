@@ -2,13 +2,14 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Login by name and password, with a view of the cell's state for everyone.</summary>
-public sealed class LoginViewModel : ScreenViewModel
+/// <summary>Login by name and password, PIN or badge, with a view of the cell's state for everyone.</summary>
+public sealed class LoginViewModel : ScreenViewModel, ITakesCodes
 {
     private readonly Action<SignedIn> _unlock;
     private IReadOnlyList<UserTile> _users = [];
     private string _name;
     private string _password = "";
+    private string? _badge;
     private bool _isListed;
 
     /// <summary>A locked station.</summary>
@@ -62,6 +63,7 @@ public sealed class LoginViewModel : ScreenViewModel
         {
             if (Set(ref _name, value ?? ""))
             {
+                _badge = null;
                 OnPropertyChanged(nameof(Chosen));
                 SignIn.Refresh();
             }
@@ -80,6 +82,20 @@ public sealed class LoginViewModel : ScreenViewModel
         }
     }
 
+    /// <summary>What the field for the password takes, in words.</summary>
+    public string PasswordLabel => Texts.Current[TakesPin ? "Login.PasswordOrPin" : "Login.Password"];
+
+    /// <summary>True if a PIN counts, alone or with a badge.</summary>
+    public bool TakesPin => (Station.Session.Ways & (SignInWays.Pin | SignInWays.BadgeWithPin)) != SignInWays.Password;
+
+    /// <summary>That a badge can be scanned here, in words; null if the cell takes none.</summary>
+    public string? BadgeHint => Station.Session.Ways switch
+    {
+        var ways when ways.HasFlag(SignInWays.Badge) => Texts.Current["Login.Badge"],
+        var ways when ways.HasFlag(SignInWays.BadgeWithPin) => Texts.Current["Login.BadgeWithPin"],
+        _ => null,
+    };
+
     public string CellName => Station.Settings.Name;
 
     /// <summary>True if the cell has no users yet, so that sign-in is impossible.</summary>
@@ -90,6 +106,12 @@ public sealed class LoginViewModel : ScreenViewModel
 
     /// <summary>Completes when the users are listed.</summary>
     internal Task Loading { get; private set; }
+
+    /// <summary>The last scan; completed if there was none.</summary>
+    internal Task Scanning { get; private set; } = Task.CompletedTask;
+
+    /// <summary>Takes a scanned badge.</summary>
+    public void TakeCode(string code) => Scanning = TakeAsync(code).Watched();
 
     /// <summary>Asks for a user's password; what was typed for another one is forgotten.</summary>
     public void Ask(UserTile user)
@@ -121,6 +143,8 @@ public sealed class LoginViewModel : ScreenViewModel
         Users = [.. Users.Select(u => u with { RoleName = Texts.Current.Word(u.Role) })];
         OnPropertyChanged(nameof(Chosen));
         OnPropertyChanged(nameof(Hint));
+        OnPropertyChanged(nameof(PasswordLabel));
+        OnPropertyChanged(nameof(BadgeHint));
     }
 
     private async Task LoadAsync()
@@ -135,11 +159,39 @@ public sealed class LoginViewModel : ScreenViewModel
         }
     }
 
+    // Of a scanner that acts as a keyboard, the badge was also typed into a field.
+    private async Task TakeAsync(string code)
+    {
+        (_badge, Name, Password) = (null, LastName, "");
+        SignedIn? who = null;
+        var owner = "";
+        var isEnough = Station.Session.Ways.HasFlag(SignInWays.Badge);
+        if (!await TryAsync(() =>
+            {
+                who = isEnough ? Station.Session.SignInByBadge(code, null) : null;
+                owner = isEnough ? "" : Station.Session.OwnerOf(code);
+            }))
+        {
+            return;
+        }
+
+        if (who is not null)
+        {
+            _unlock(who);
+            return;
+        }
+
+        Name = owner;
+        _badge = code;
+        Report(() => Texts.Current.With("Login.NowPin", owner));
+    }
+
     private async Task SignInAsync()
     {
         SignedIn? who = null;
-        var (name, password) = (Name.Trim(), Password);
-        if (await TryAsync(() => who = Station.Session.SignIn(name, password)))
+        var (name, password, badge) = (Name.Trim(), Password, _badge);
+        if (await TryAsync(
+            () => who = badge is null ? Station.Session.SignIn(name, password) : Station.Session.SignInByBadge(badge, password)))
         {
             _unlock(who!);
         }

@@ -1,6 +1,7 @@
 namespace ErrorMatching.Hmi;
 
-/// <summary>The station's appearance for the current user: language, theme, height of touch targets. It is stored by user name.</summary>
+/// <summary>The station's appearance for the current user: language, theme, height of touch targets, keyboard. It is stored by user
+/// name.</summary>
 internal sealed class LookViewModel : ScreenViewModel
 {
     private readonly ShellViewModel _shell;
@@ -22,6 +23,10 @@ internal sealed class LookViewModel : ScreenViewModel
     /// <summary>The heights of touch targets.</summary>
     public IReadOnlyList<LookChoice> Sizes { get; } = [
         .. Enum.GetValues<TouchSize>().Select(s => new LookChoice(s.ToString(), () => Texts.Current.Word(s)))];
+
+    /// <summary>When the keyboard on the screen opens.</summary>
+    public IReadOnlyList<LookChoice> Keyboards { get; } = [
+        .. Enum.GetValues<KeyboardUse>().Select(k => new LookChoice(k.ToString(), () => Texts.Current.Word(k)))];
 
     public LookChoice? Language
     {
@@ -59,6 +64,18 @@ internal sealed class LookViewModel : ScreenViewModel
         }
     }
 
+    public LookChoice? Keyboard
+    {
+        get => Keyboards[(int)_shell.Preferences.Keyboard];
+        set
+        {
+            if (value is not null)
+            {
+                _shell.Preferences.Keyboard = Enum.Parse<KeyboardUse>(value.Key);
+            }
+        }
+    }
+
     /// <summary>Where it is stored, in words.</summary>
     public string Stored =>
         _shell.Preferences.File is { } file ? Texts.Current.With("Look.Stored", _shell.UserName, file) : Texts.Current["Look.NotKept"];
@@ -79,7 +96,7 @@ internal sealed class LookViewModel : ScreenViewModel
     /// <inheritdoc/>
     protected override void Translate()
     {
-        foreach (var choice in Themes.Concat(Sizes))
+        foreach (var choice in Themes.Concat(Sizes).Concat(Keyboards))
         {
             choice.Rename();
         }
@@ -92,6 +109,7 @@ internal sealed class LookViewModel : ScreenViewModel
     {
         OnPropertyChanged(nameof(Theme));
         OnPropertyChanged(nameof(Size));
+        OnPropertyChanged(nameof(Keyboard));
     }
 }
 

@@ -1,7 +1,7 @@
 namespace ErrorMatching.Hmi;
 
 /// <summary>Settings: users, connections, appearance, and information about the station.</summary>
-internal sealed class SettingsViewModel : ScreenViewModel
+internal sealed class SettingsViewModel : ScreenViewModel, ITakesCodes
 {
     private readonly ScreenViewModel[] _pages;
 
@@ -23,6 +23,9 @@ internal sealed class SettingsViewModel : ScreenViewModel
 
     /// <summary>Information about the station.</summary>
     public AboutViewModel About { get; }
+
+    /// <summary>Takes a badge that is to belong to the chosen user.</summary>
+    public void TakeCode(string code) => Users.TakeCode(code);
 
     /// <inheritdoc/>
     protected override void Dispose(bool isDisposing)

@@ -2,8 +2,8 @@ using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Users: an administrator adds and disables them and sets roles and passwords. All others can view them and change
-/// their own password. Each change is signed.</summary>
+/// <summary>Users: an administrator adds and disables them and sets roles, passwords, PINs and badges. All others can view them
+/// and change their own password and PIN. Each change is signed.</summary>
 internal sealed class UsersViewModel : ScreenViewModel
 {
     private readonly ShellViewModel _shell;
@@ -12,6 +12,8 @@ internal sealed class UsersViewModel : ScreenViewModel
     private string _name = "";
     private string _password = "";
     private string _again = "";
+    private string _badge = "";
+    private readonly Command _setBadge;
 
     public UsersViewModel(ShellViewModel shell)
         : base((shell ?? throw new ArgumentNullException(nameof(shell))).Station)
@@ -34,6 +36,27 @@ internal sealed class UsersViewModel : ScreenViewModel
             () => Chosen!.Name,
             () => Chosen is { } u && (IsManaging || u.Name == _shell.UserName) && HasPassword,
             (by, name) => (password, _) => Station.Users.SetPassword(by, name, password));
+        SetPin = Change(
+            "Users.SetPin",
+            () => Chosen!.Name,
+            () => TakesPin && Chosen is not null && HasPassword && Password.All(char.IsAsciiDigit),
+            (by, name) => (pin, _) => Station.Users.SetPin(by, name, pin));
+        RemovePin = Change(
+            "Users.RemovePin",
+            () => Chosen!.Name,
+            () => Chosen is { HasPin: true } && TakesPassword,
+            (by, name) => (_, _) => Station.Users.RemovePin(by, name));
+        _setBadge = Change(
+            "Users.SetBadge",
+            () => Chosen!.Name,
+            () => IsChanging,
+            (by, name) => (code, _) => Station.Users.SetBadge(by, name, code),
+            () => _badge);
+        RemoveBadge = Change(
+            "Users.RemoveBadge",
+            () => Chosen!.Name,
+            () => IsChanging && Chosen!.HasBadge,
+            (by, name) => (_, _) => Station.Users.RemoveBadge(by, name));
         Disable = Change(
             "Users.Disable",
             () => Chosen!.Name,
@@ -79,6 +102,19 @@ internal sealed class UsersViewModel : ScreenViewModel
 
     /// <summary>True if the password fields are shown.</summary>
     public bool TakesPassword => IsNew ? IsManaging : IsManaging || Chosen!.Name == _shell.UserName;
+
+    /// <summary>True if the cell takes PINs, and the chosen user's can be set here.</summary>
+    public bool TakesPin =>
+        !IsNew && TakesPassword && (Station.Session.Ways & (SignInWays.Pin | SignInWays.BadgeWithPin)) != SignInWays.Password;
+
+    /// <summary>True if the cell takes badges, and one can be bound to the chosen user here.</summary>
+    public bool TakesBadge => IsChanging && (Station.Session.Ways & (SignInWays.Badge | SignInWays.BadgeWithPin)) != SignInWays.Password;
+
+    /// <summary>True if the chosen user's PIN can be taken away here.</summary>
+    public bool HasPin => Chosen is { HasPin: true } && TakesPassword;
+
+    /// <summary>True if the chosen user's badge can be taken away here.</summary>
+    public bool HasBadge => Chosen is { HasBadge: true } && IsChanging;
 
     /// <summary>True if a user's role and status can be changed.</summary>
     public bool IsChanging => IsManaging && !IsNew;
@@ -136,6 +172,23 @@ internal sealed class UsersViewModel : ScreenViewModel
 
     public Command SetPassword { get; }
 
+    /// <summary>Sets what was typed twice as the PIN.</summary>
+    public Command SetPin { get; }
+
+    public Command RemovePin { get; }
+
+    public Command RemoveBadge { get; }
+
+    /// <summary>Binds a scanned badge to the chosen user, once that is signed.</summary>
+    public void TakeCode(string code)
+    {
+        _badge = code;
+        if (TakesBadge)
+        {
+            _setBadge.Execute(null);
+        }
+    }
+
     /// <summary>Disables the user, who then cannot sign in.</summary>
     public Command Disable { get; }
 
@@ -166,10 +219,15 @@ internal sealed class UsersViewModel : ScreenViewModel
     }
 
     // A signature is valid for one act only, and the user book demands it.
-    private Command Change(string title, Func<string> name, Func<bool> can, Func<SignedIn, string, Func<string, Role, User>> change) => new(
+    private Command Change(
+        string title,
+        Func<string> name,
+        Func<bool> can,
+        Func<SignedIn, string, Func<string, Role, User>> change,
+        Func<string>? secret = null) => new(
         () =>
         {
-            var (subject, password, role) = (name(), Password, Role.Role);
+            var (subject, password, role) = (name(), secret?.Invoke() ?? Password, Role.Role);
             var signing = new SigningViewModel(
                 Station,
                 _shell.Who!,
@@ -194,7 +252,7 @@ internal sealed class UsersViewModel : ScreenViewModel
 
     private void Refresh()
     {
-        foreach (var command in new[] { New, Add, SetRole, SetPassword, Disable, Enable })
+        foreach (var command in new[] { New, Add, SetRole, SetPassword, SetPin, RemovePin, _setBadge, RemoveBadge, Disable, Enable })
         {
             command.Refresh();
         }
@@ -222,7 +280,11 @@ internal sealed class UsersViewModel : ScreenViewModel
             ? Texts.Current["Users.IsDisabled"]
             : user.LockedUntil is { } until
             ? Texts.Current.With("Users.IsLocked", Shown.Time(until, Station.Clock))
-            : "");
+            : "")
+    {
+        HasPin = user.HasPin,
+        HasBadge = user.HasBadge,
+    };
 }
 
 /// <summary>A user in the list of users.</summary>
@@ -234,6 +296,10 @@ internal sealed class UsersViewModel : ScreenViewModel
 internal sealed record UserRow(string Name, Role Role, string RoleName, bool IsDisabled, string Standing)
 {
     public string AutomationId => "user-row-" + Name;
+
+    public bool HasPin { get; init; }
+
+    public bool HasBadge { get; init; }
 }
 
 /// <summary>A role to choose. The object stays the same in another language, so that it stays selected.</summary>
