@@ -26,7 +26,7 @@ internal sealed class SmoothProcess
     private readonly double[] _places;
     private readonly double _length;
     private readonly double _squaredRatio;
-    private readonly double[][] _factor;
+    private readonly Cholesky _factor;
     private readonly double[] _ones;
     private readonly double[] _rest;
     private readonly double _sumOfOnes;
@@ -43,11 +43,12 @@ internal sealed class SmoothProcess
     public SmoothProcess(double[] places, double[] values, double[] counts, double length, double ratio, double uncertainty)
     {
         (_places, _length, _squaredRatio) = (places, length, ratio * ratio);
-        _factor = Factor(counts);
+        // The noise on the diagonal keeps the pivots positive.
+        _factor = Cholesky.Factor(CovarianceOf(counts), places.Length)!;
         _ones = Array.ConvertAll(places, _ => 1.0);
         _rest = [.. values];
-        Forward(_ones);
-        Forward(_rest);
+        _factor.Forward(_ones);
+        _factor.Forward(_rest);
         _sumOfOnes = Dot(_ones, _ones);
         _constant = Dot(_ones, _rest) / _sumOfOnes;
         for (var i = 0; i < _rest.Length; i++)
@@ -57,7 +58,7 @@ internal sealed class SmoothProcess
 
         var known = uncertainty > 0 ? Known : 0;
         var (sum, freedom) = (Math.Max(Dot(_rest, _rest) + (known * uncertainty * uncertainty), Nothing), places.Length - 1 + known);
-        var logDeterminant = 2 * _factor.Select((row, i) => Elementary.Log(row[i])).Sum();
+        var logDeterminant = 2 * places.Select((_, i) => Elementary.Log(_factor.Pivot(i))).Sum();
         LogEvidence = -(logDeterminant + Elementary.Log(_sumOfOnes) + (freedom * Elementary.Log(sum))) / 2;
         _variance = sum / Math.Max(1, freedom - 2);
     }
@@ -78,7 +79,7 @@ internal sealed class SmoothProcess
                 covariances[i] = Covariance(_places[i] - places[j]);
             }
 
-            Forward(covariances);
+            _factor.Forward(covariances);
             course[j] = _constant + Dot(covariances, _rest);
             var missing = 1 - Dot(covariances, _ones);
             sum += _squaredRatio - Dot(covariances, covariances) + (missing * missing / _sumOfOnes);
@@ -87,42 +88,20 @@ internal sealed class SmoothProcess
         return (course, _variance * sum / places.Length);
     }
 
-    /// <summary>The lower factor of Cholesky. The noise on the diagonal keeps the pivots positive.</summary>
-    private double[][] Factor(double[] counts)
+    /// <summary>The covariance of the ordinates row by row, up to the diagonal.</summary>
+    private double[] CovarianceOf(double[] counts)
     {
-        var rows = new double[_places.Length][];
-        for (var i = 0; i < rows.Length; i++)
+        var n = _places.Length;
+        var matrix = new double[n * n];
+        for (var i = 0; i < n; i++)
         {
-            var row = rows[i] = new double[i + 1];
             for (var j = 0; j <= i; j++)
             {
-                var sum = Covariance(_places[i] - _places[j]) + (i == j ? 1 / counts[i] : 0);
-                for (var k = 0; k < j; k++)
-                {
-                    sum -= row[k] * rows[j][k];
-                }
-
-                row[j] = i == j ? Math.Sqrt(sum) : sum / rows[j][j];
+                matrix[(i * n) + j] = Covariance(_places[i] - _places[j]) + (i == j ? 1 / counts[i] : 0);
             }
         }
 
-        return rows;
-    }
-
-    /// <summary>Replaces a vector by the inverse of the factor times it.</summary>
-    private void Forward(double[] vector)
-    {
-        for (var i = 0; i < vector.Length; i++)
-        {
-            var row = _factor[i];
-            var sum = vector[i];
-            for (var k = 0; k < i; k++)
-            {
-                sum -= row[k] * vector[k];
-            }
-
-            vector[i] = sum / row[i];
-        }
+        return matrix;
     }
 
     private static double Dot(double[] a, double[] b)

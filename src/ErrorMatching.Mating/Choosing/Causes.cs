@@ -1,5 +1,4 @@
 using ErrorMatching.Geometry;
-using MathNet.Numerics.LinearAlgebra;
 
 namespace ErrorMatching.Mating;
 
@@ -99,22 +98,23 @@ internal sealed class Causes
             {
                 for (var j = 0; j <= i; j++)
                 {
-                    all[(i * n) + j] = all[(j * n) + i] = covariance(points[i], points[j]) + (i == j ? noise * noise : 0);
+                    all[(i * n) + j] = covariance(points[i], points[j]) + (i == j ? noise * noise : 0);
                 }
             }
 
-            var factor = Matrix<double>.Build.Dense(n, n, [.. all]).Cholesky();
+            var factor = Cholesky.Factor(all, n)!;
             double[] measured = [.. points.Select(k => values[k])];
-            var weights = factor.Solve(Vector<double>.Build.Dense(measured));
+            double[] weights = [.. measured];
+            factor.Solve(weights);
             var (mean, variance) = (new double[places], new double[places]);
             for (var k = 0; k < places; k++)
             {
-                var with = Vector<double>.Build.Dense(n, i => covariance(k, points[i]));
-                mean[k] = with.DotProduct(weights);
-                variance[k] = Math.Max(0, covariance(k, k) - with.DotProduct(factor.Solve(with)));
+                double[] with = [.. points.Select(p => covariance(k, p))];
+                mean[k] = with.Zip(weights, (w, weight) => w * weight).Sum();
+                variance[k] = Math.Max(0, covariance(k, k) - factor.Form(with));
             }
 
-            return new(ErrorMatching.Mating.Evidence.Log(all, measured), mean, variance);
+            return new(ErrorMatching.Mating.Evidence.Log(factor, measured), mean, variance);
         }
     }
 }

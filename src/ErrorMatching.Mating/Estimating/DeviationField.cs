@@ -1,10 +1,10 @@
-using MathNet.Numerics.LinearAlgebra;
-using MathNet.Numerics.LinearAlgebra.Factorization;
+using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Mating;
 
 /// <summary>The deviations of all stretches of a boundary, given the key points: the posterior of a Gaussian process.</summary>
-/// <remarks>Rasmussen and Williams (2006), equations 2.25, 2.26 and 2.30.</remarks>
+/// <remarks>Rasmussen and Williams (2006), equations 2.25, 2.26 and 2.30. Unlike Geometry's process through the points of one curve, its
+/// noise is stated, its rows are sums over several stretches, and what a stretch has in common is in its prior.</remarks>
 internal sealed class DeviationField
 {
     /// <summary>Smallest standard uncertainty that is calculated with, mm.</summary>
@@ -12,7 +12,7 @@ internal sealed class DeviationField
 
     private readonly IReadOnlyList<DeviationPrior> _priors;
     private readonly IReadOnlyList<BoundaryRow> _rows;
-    private readonly Cholesky<double>? _factor;
+    private readonly Cholesky? _factor;
 
     // For each stretch, the places where rows speak of it, with their weights in an estimate.
     private readonly List<(double AlongMm, double Weight)>[] _terms;
@@ -26,10 +26,10 @@ internal sealed class DeviationField
             return;
         }
 
-        var covariance = Matrix<double>.Build.Dense(rows.Count, rows.Count, CovarianceOf(priors, rows, uncertaintyMm));
-        var values = Vector<double>.Build.Dense(rows.Count, i => rows[i].ValueMm);
-        _factor = covariance.Cholesky();
-        var weights = _factor.Solve(values);
+        // The noise on the diagonal keeps the covariance positive definite.
+        _factor = Cholesky.Factor(CovarianceOf(priors, rows, uncertaintyMm), rows.Count)!;
+        double[] weights = [.. rows.Select(r => r.ValueMm)];
+        _factor.Solve(weights);
         for (var i = 0; i < rows.Count; i++)
         {
             foreach (var term in rows[i].Terms)
@@ -76,8 +76,7 @@ internal sealed class DeviationField
         var variance = _priors[stretch].Covariance(along, along);
         if (_factor is not null)
         {
-            var with = Vector<double>.Build.Dense(_rows.Count, i => WithRow(stretch, along, i));
-            variance -= with.DotProduct(_factor.Solve(with));
+            variance -= _factor.Form([.. Enumerable.Range(0, _rows.Count).Select(i => WithRow(stretch, along, i))]);
         }
 
         return Math.Sqrt(Math.Max(0, variance));
@@ -89,23 +88,12 @@ internal sealed class DeviationField
     /// <summary>What is known about weighted sums of deviations together.</summary>
     public JointDeviation Together(IReadOnlyList<IReadOnlyList<RowTerm>> places)
     {
-        var (n, count) = (_rows.Count, places.Count);
-        var explained = new double[count][];
-        var lower = _factor?.Factor;
-        for (var k = 0; k < count; k++)
+        // The factor's inverse times the covariances with the rows.
+        var explained = new double[places.Count][];
+        for (var k = 0; k < explained.Length; k++)
         {
-            // Forward substitution: the factor's inverse times the covariances with the rows.
-            var column = explained[k] = new double[n];
-            for (var i = 0; i < n; i++)
-            {
-                var sum = Covariance(_priors, _rows[i].Terms, places[k]);
-                for (var j = 0; j < i; j++)
-                {
-                    sum -= lower![i, j] * column[j];
-                }
-
-                column[i] = sum / lower![i, i];
-            }
+            explained[k] = [.. _rows.Select(r => Covariance(_priors, r.Terms, places[k]))];
+            _factor?.Forward(explained[k]);
         }
 
         return new(_priors, places, explained);

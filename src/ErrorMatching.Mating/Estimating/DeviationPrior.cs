@@ -17,7 +17,8 @@ internal sealed class DeviationPrior
     // An array, because the sum over it is the innermost loop of an estimate.
     private readonly (double VarianceMm2, double LengthMm)[] _form = [];
 
-    // The recurrence of the polynomials that are orthonormal over the key points (Forsythe 1957).
+    // The recurrence of the polynomials that are orthonormal over the key points (Forsythe 1957). A covariance has no use for the digits of
+    // Geometry's basis in double-double, and is asked for too often to pay for them.
     private readonly (double Shift, double Before, double Norm)[] _terms;
 
     /// <summary>Creates the prior.</summary>

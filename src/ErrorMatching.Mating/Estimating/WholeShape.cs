@@ -187,7 +187,7 @@ internal sealed record WholeShape
             normal.X, normal.Y, 1, (place - _middle).Cross(normal) / _arm,
             Math.Sign((place - _middle).Dot(along)) * normal.Dot(along)];
 
-    // What no point tells is vague.
+    // What no point tells is vague. A few rows, in the library of the products around it.
     private static Cholesky<double> Fit(Matrix<double> rows, double u)
     {
         var precision = rows.TransposeThisAndMultiply(rows) / (u * u);

@@ -117,10 +117,22 @@ internal static class SuspectSearch
     private static (double Off, double Sigma)[] LeftOut(DeviationPrior[] priors, BoundaryRow[] rows, double uncertaintyMm)
     {
         var n = rows.Length;
-        var inverse = Matrix<double>.Build.Dense(n, n, DeviationField.CovarianceOf(priors, rows, uncertaintyMm)).Cholesky()
-            .Solve(Matrix<double>.Build.DenseIdentity(n));
-        var weights = inverse * Vector<double>.Build.Dense(n, i => rows[i].ValueMm);
-        return [.. Enumerable.Range(0, n).Select(i => (weights[i] / inverse[i, i], 1 / Math.Sqrt(inverse[i, i])))];
+        var factor = Cholesky.Factor(DeviationField.CovarianceOf(priors, rows, uncertaintyMm), n)!;
+        var weights = new double[n];
+        var own = new double[n];
+        for (var k = 0; k < n; k++)
+        {
+            var column = new double[n];
+            column[k] = 1;
+            factor.Solve(column);
+            own[k] = column[k];
+            for (var i = 0; i < n; i++)
+            {
+                weights[i] += column[i] * rows[k].ValueMm;
+            }
+        }
+
+        return [.. Enumerable.Range(0, n).Select(i => (weights[i] / own[i], 1 / Math.Sqrt(own[i])))];
     }
 
     private static Suspect? WorstAroundShape(RunPoint[] points, double[] values, double noise)

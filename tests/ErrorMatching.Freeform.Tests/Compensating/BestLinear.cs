@@ -29,7 +29,7 @@ internal sealed class BestLinear
             rows[i][i] += noise * noise;
         }
 
-        var factor = Cholesky.Factor(rows, rows.Length)!;
+        var factor = BandedCholesky.Factor(rows, rows.Length)!;
         _atPoints = Array.ConvertAll(covariance, factor.Solve);
         _even = Array.ConvertAll(Products(there, here), factor.Solve);
     }

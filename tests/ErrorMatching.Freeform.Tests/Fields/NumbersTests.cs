@@ -110,7 +110,7 @@ public sealed class NumbersTests
                 }
             }
 
-            Assert.NotNull(Cholesky.Factor(rows, width));
+            Assert.NotNull(BandedCholesky.Factor(rows, width));
             Assert.Equal(expected, rows);
         }
     }

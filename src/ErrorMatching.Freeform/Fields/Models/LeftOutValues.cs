@@ -55,7 +55,7 @@ internal static class LeftOutValues
                 (kernel.AlongU(data.U[i], data.U[j]) * kernel.AlongV(data.V[i], data.V[j])) + (i == j ? kernel.Noise : 0))];
         }
 
-        var factor = Cholesky.Factor(rows, n)!;
+        var factor = BandedCholesky.Factor(rows, n)!;
         var inverse = Enumerable.Range(0, n).Select(i => factor.Solve([.. Enumerable.Range(0, n).Select(j => i == j ? 1.0 : 0)])).ToArray();
         double[] level = [.. inverse.Select(row => row.Sum())];
         var total = level.Sum();

@@ -4,6 +4,8 @@ namespace ErrorMatching.Freeform;
 
 /// <summary>A Gaussian process about a low-degree polynomial whose coefficients are estimated together with it (universal kriging;
 /// Rasmussen and Williams, Gaussian Processes for Machine Learning, section 2.7).</summary>
+/// <remarks>Unlike Geometry's process through the points of one curve, and Mating's along a boundary, it has two directions: on a grid, its
+/// covariance is never a whole matrix, and is not factored but decomposed (<see cref="GridCovariance"/>).</remarks>
 internal sealed class ProcessModel : FieldModel
 {
     private readonly Kernel _kernel;
@@ -12,13 +14,13 @@ internal sealed class ProcessModel : FieldModel
     private readonly Covariance _covariance;
     private readonly double[][] _columns;
     private readonly double[][] _solved;
-    private readonly Cholesky _factor;
+    private readonly BandedCholesky _factor;
     private readonly double[] _coefficients;
     private readonly double[] _weights;
     private readonly double _variance;
     private Basis? _basis;
 
-    private ProcessModel(ProcessTrend trend, Kernel kernel, Covariance covariance, double[][] solved, Cholesky factor)
+    private ProcessModel(ProcessTrend trend, Kernel kernel, Covariance covariance, double[][] solved, BandedCholesky factor)
         : base(trend.Data)
     {
         (_kernel, _trend, _covariance, _columns, _solved, _factor) = (kernel, trend.Terms, covariance, trend.Columns, solved, factor);
@@ -116,7 +118,7 @@ internal sealed class ProcessModel : FieldModel
             rows[i] = [.. Enumerable.Range(0, i + 1).Select(j => LeastSquares.Product(columns[i], solved[j]))];
         }
 
-        return Cholesky.Factor(rows, rows.Length) is { } factor ? new(trend, kernel, covariance, solved, factor) : null;
+        return BandedCholesky.Factor(rows, rows.Length) is { } factor ? new(trend, kernel, covariance, solved, factor) : null;
     }
 
     public override double At(double u, double v)

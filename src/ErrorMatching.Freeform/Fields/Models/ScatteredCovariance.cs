@@ -5,9 +5,9 @@ internal sealed class ScatteredCovariance : Covariance
 {
     private readonly FieldData _data;
     private readonly Kernel _kernel;
-    private readonly Cholesky _factor;
+    private readonly BandedCholesky _factor;
 
-    private ScatteredCovariance(FieldData data, Kernel kernel, Cholesky factor) => (_data, _kernel, _factor) = (data, kernel, factor);
+    private ScatteredCovariance(FieldData data, Kernel kernel, BandedCholesky factor) => (_data, _kernel, _factor) = (data, kernel, factor);
 
     public override double LogDeterminant => _factor.LogDeterminant;
 
@@ -43,7 +43,7 @@ internal sealed class ScatteredCovariance : Covariance
             rows[i][i] = kernel.AtZero + Math.Max(kernel.Noise, 10 * Kernel.LeastNoise);
         }
 
-        return Cholesky.Factor(rows, data.Count) is { } factor ? new(data, kernel, factor) : null;
+        return BandedCholesky.Factor(rows, data.Count) is { } factor ? new(data, kernel, factor) : null;
     }
 
     public override int Leading => _data.Count;

@@ -17,12 +17,12 @@ internal sealed class SplineModel : FieldModel
     private readonly SplineAxis _u;
     private readonly SplineAxis _v;
     private readonly double _weight;
-    private readonly Cholesky _factor;
+    private readonly BandedCholesky _factor;
     private readonly double[] _poles;
     private double? _freedom;
     private double? _noise;
 
-    private SplineModel(FieldData data, SplineEquations equations, double weight, Cholesky factor, double[] poles)
+    private SplineModel(FieldData data, SplineEquations equations, double weight, BandedCholesky factor, double[] poles)
         : base(data)
     {
         (_equations, _u, _v, _weight, _factor, _poles) = (equations, equations.U, equations.V, weight, factor, poles);
@@ -104,7 +104,9 @@ internal sealed class SplineModel : FieldModel
     private static SplineModel? Fit(FieldData data, SplineEquations equations, double weight)
     {
         var (rows, right) = equations.Of(data, weight);
-        return Cholesky.Factor(rows, equations.Width) is { } factor ? new(data, equations, weight, factor, factor.Solve(right)) : null;
+        return BandedCholesky.Factor(rows, equations.Width) is { } factor
+            ? new(data, equations, weight, factor, factor.Solve(right))
+            : null;
     }
 
     private static SplineEquations? Over(FieldData data)

@@ -2,6 +2,8 @@ namespace ErrorMatching.Geometry;
 
 /// <summary>A symmetric positive definite band matrix in Cholesky factors (Golub and Van Loan, Matrix Computations, 4th edition, section
 /// 4.3.5).</summary>
+/// <remarks>A thin plate of 400 poles has a band of 64: unlike <see cref="Cholesky"/>, it stores and visits nothing beside the band, and
+/// tells the inverse inside of it.</remarks>
 internal sealed class BandedSymmetric
 {
     private readonly double[] _triangle;

@@ -4,12 +4,14 @@ namespace ErrorMatching.Freeform;
 
 /// <summary>The factor L of a symmetric positive definite band matrix A = L L' (Golub and Van Loan, Matrix Computations, 4th edition,
 /// section 4.3.5).</summary>
-internal sealed class Cholesky
+/// <remarks>The search for a field factors matrices of hundreds of rows again and again. So it sums four numbers at a time
+/// (<see cref="Vectors"/>), which gives other last digits than the sums of Geometry's <see cref="Cholesky"/>.</remarks>
+internal sealed class BandedCholesky
 {
     private readonly double[][] _rows;
     private readonly int _width;
 
-    private Cholesky(double[][] rows, int width) => (_rows, _width) = (rows, width);
+    private BandedCholesky(double[][] rows, int width) => (_rows, _width) = (rows, width);
 
     public double LogDeterminant
     {
@@ -28,7 +30,7 @@ internal sealed class Cholesky
     /// <summary>Factors a matrix in place; null if it is not positive definite.</summary>
     /// <param name="rows">Row i contains the columns max(0, i - width) to i.</param>
     /// <param name="width">Bandwidth left of the diagonal.</param>
-    public static Cholesky? Factor(double[][] rows, int width)
+    public static BandedCholesky? Factor(double[][] rows, int width)
     {
         for (var i = 0; i < rows.Length; i++)
         {
