@@ -88,14 +88,12 @@ internal static class SlotRow
     /// <summary>Applies a correction's step to its slot.</summary>
     public static void Follow(StoreTransaction transaction, CorrectionState from, Correction to)
     {
-        var sql = (from, to.State) switch
+        var sql = to.State switch
         {
-            (_, CorrectionState.Uploading) => Take,
-            (CorrectionState.Uploading, CorrectionState.Approved or CorrectionState.Failed) => GiveBack,
-            (_, CorrectionState.Verified) => Verify,
-            (_, CorrectionState.Released) => GiveBack,
-            (_, CorrectionState.Reverted) => Revert,
-            _ => null,
+            CorrectionState.Uploading => Take,
+            CorrectionState.Verified => Verify,
+            CorrectionState.Reverted => Revert,
+            _ => CorrectionSteps.Of(from).HasSlot ? GiveBack : null,
         };
         if (sql is null) return;
         if (to.Machine is null || to.Slot is null || to.ProgramSha256 is null)

@@ -40,8 +40,8 @@ internal sealed class AuditReplay
         get
         {
             var last = _lastInSlot.Values.ToHashSet();
-            return _corrections.Where(c =>
-                !CorrectionSteps.IsEnd(c.Value.State) && (c.Value.State != CorrectionState.Released || last.Contains(c.Key)));
+            return _corrections.Where(c => !CorrectionSteps.Of(c.Value.State).IsSettled
+                || (!CorrectionSteps.IsEnd(c.Value.State) && last.Contains(c.Key)));
         }
     }
 
@@ -129,7 +129,7 @@ internal sealed class AuditReplay
         if (known is null)
         {
             _corrections.Add(id, known = new(file ?? ""));
-            if (file is null || to is not (CorrectionState.Archived or CorrectionState.Refused))
+            if (file is null || !CorrectionSteps.Of(to).MayBegin)
             {
                 Mark(known, Of(entry, Recorded.NeverArrived.With(entry.Seq, id, entry.What)));
             }
@@ -148,12 +148,12 @@ internal sealed class AuditReplay
         {
             Mark(known, Of(entry, Recorded.ApprovalNotAllowed.With(entry.Seq, id, entry.Who, problem)));
         }
-        else if (HasProgram(to) && (program is null || program != known.Program))
+        else if (CorrectionSteps.Of(to).NamesProgram && (program is null || program != known.Program))
         {
             Mark(known, Of(entry, Recorded.OtherProgram.With(entry.Seq, id, program ?? "none", known.Program ?? "none")));
         }
 
-        if (CorrectionSteps.IsEnd(to) && to != CorrectionState.Reverted)
+        if (CorrectionSteps.IsEnd(to) && !CorrectionSteps.Of(to).NamesProgram)
         {
             // A tampered program ends with its correction: no further step uses it.
             known.Program = program ?? known.Program;
@@ -168,9 +168,6 @@ internal sealed class AuditReplay
         (known.State, known.Seq) = (to, entry.Seq);
         Stepped?.Invoke(entry, id, from, to);
     }
-
-    private static bool HasProgram(CorrectionState state) => state is CorrectionState.Proposed or CorrectionState.Approved
-        or CorrectionState.Uploading or CorrectionState.Verified or CorrectionState.Released or CorrectionState.Reverted;
 
     // Null if the approval is valid: by the policy, by a person who had the right at that time, or an earlier one that continues when a
     // slot is given back.

@@ -56,7 +56,7 @@ internal sealed class OutsideChanges(CellDatabase database, byte[]? key)
         return fault.Statement;
     }
 
-    /// <summary>Changes found by a quick check of users, slots, the first 500 corrections that have not ended, and the database
+    /// <summary>Changes found by a quick check of users, slots, the first 500 corrections that are not settled, and the database
     /// schema.</summary>
     public IReadOnlyList<Statement> Find() => database.Snapshot((connection, transaction) =>
     {
@@ -81,7 +81,7 @@ internal sealed class OutsideChanges(CellDatabase database, byte[]? key)
             else if (!slot!.Holds(key)) found.Add(SlotRow.Tampered(slot).Statement);
         }
 
-        var open = Enum.GetValues<CorrectionState>().Where(s => !CorrectionSteps.IsEnd(s) && s != CorrectionState.Released);
+        var open = CorrectionSteps.Where(s => !s.IsSettled);
         foreach (var (correction, fault) in Look(
             $"{CorrectionRow.SelectKept} WHERE {CorrectionRow.IsIn("state", open)} ORDER BY id LIMIT {CodedRow.Number(MostLooked)}",
                 CorrectionRow.ReadKept, "correction"))

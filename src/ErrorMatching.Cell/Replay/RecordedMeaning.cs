@@ -54,7 +54,7 @@ internal sealed class RecordedMeaning
         var step = new StepText(
             id, from is { } f ? CorrectionRow.Word(f) : null, CorrectionRow.Word(to), StoredTime.Of(entry.At), entry.Who, entry.Basis.Text);
         _steps.Add((entry.Seq, step));
-        if (CorrectionSteps.IsEnd(to) || to == CorrectionState.Released) _ended.Add(id);
+        if (CorrectionSteps.Of(to).IsSettled) _ended.Add(id);
     }
 
     // A row that is as its last entry says cannot be as a later entry says, too: if one comes, the row is compared with that at the end.
@@ -69,7 +69,7 @@ internal sealed class RecordedMeaning
         foreach (var (row, _) in _rows.Of([.. _ended.Distinct().Where(Replay.Corrections.ContainsKey).Order()]))
         {
             if (row is null || Replay.Corrections.GetValueOrDefault(row.Value.Id) is not { Fault: null } recorded
-                || !(CorrectionSteps.IsEnd(recorded.State) || recorded.State == CorrectionState.Released)
+                || !CorrectionSteps.Of(recorded.State).IsSettled
                 || _rows.OfCorrection(row) is not null) continue;
             _settled.Add(row.Value.Id);
             Replay.Forget(row.Value.Id);

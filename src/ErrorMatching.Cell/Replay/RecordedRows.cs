@@ -64,7 +64,7 @@ internal sealed class RecordedRows(DbConnection connection, DbTransaction transa
     {
         var slot = row.Value;
         var holder = slot.Correction is { } id ? replay.Corrections.GetValueOrDefault(id) : null;
-        return holder is { State: not (CorrectionState.Uploading or CorrectionState.Verified or CorrectionState.Reverted) }
+        return holder is not null && CorrectionSteps.Of(holder.State) is { HasSlot: false, WaitsForRelease: false }
             && slot.Correction is { } held
             ? Differs(holder.Seq, Recorded.SlotHeldByOther.With(slot.Slot, slot.Machine, held, CorrectionRow.Word(holder.State)))
             : OfCode(row.Coded, row.Code, seq => Recorded.SlotDiffers.With(slot.Slot, slot.Machine, seq));
@@ -72,7 +72,7 @@ internal sealed class RecordedRows(DbConnection connection, DbTransaction transa
 
     /// <summary>What is wrong with the row of a slot, or with another correction that must have the slot; null if nothing is.</summary>
     public AuditFault? OfSlotAndHolder(StoredRow<SlotHolding> row) => OfSlot(row) ?? Query(
-        CorrectionRow.SelectKept + $" WHERE {CorrectionRow.IsIn("state", CorrectionState.Uploading, CorrectionState.Verified)}",
+        CorrectionRow.SelectKept + $" WHERE {CorrectionRow.IsIn("state", CorrectionSteps.Where(s => s.HasSlot))}",
             CorrectionRow.ReadKept, "correction")
         .Select(c => c.Row?.Value).OfType<Correction>()
             .Where(c => c.Machine == row.Value.Machine && c.Slot == row.Value.Slot && c.Id != row.Value.Correction)
@@ -152,7 +152,7 @@ internal sealed class RecordedRows(DbConnection connection, DbTransaction transa
                 if ((fault ?? OfCorrection(row!)) is { } differs) return differs;
                 var c = row!.Value;
                 seen.Add(c.Id);
-                if (c.State is CorrectionState.Uploading or CorrectionState.Verified
+                if (CorrectionSteps.Of(c.State).HasSlot
                     && !holders[c.Id].Contains((c.Machine ?? "", c.Slot ?? "")))
                 {
                     return Differs(replay.Corrections[c.Id].Seq,

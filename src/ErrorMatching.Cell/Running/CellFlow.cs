@@ -1,6 +1,5 @@
 using ErrorMatching.Reporting;
 using Serilog;
-using Serilog.Events;
 
 namespace ErrorMatching.Cell;
 
@@ -171,15 +170,15 @@ internal sealed class CellFlow(
     public void Report(Correction correction)
     {
         Stepped.Signal();
-        switch (correction.State)
+        switch (CorrectionSteps.Of(correction.State).TakenBy)
         {
-            case CorrectionState.Archived:
+            case StateWorker.Recognize:
                 Archived.Signal();
                 break;
-            case CorrectionState.Recognized:
+            case StateWorker.Compute:
                 Recognized.Signal();
                 break;
-            case CorrectionState.Computed or CorrectionState.Proposed:
+            case StateWorker.Propose:
                 Computed.Signal();
                 break;
             default:
@@ -209,7 +208,7 @@ internal static class StepLog
     /// <summary>Logs a stored step.</summary>
     public static void Write(ILogger log, CorrectionState? from, Correction now, string basis)
     {
-        var level = LevelOf(now.State);
+        var level = CorrectionSteps.Of(now.State).Level;
         if (log.IsEnabled(level))
         {
             log.ForContext("From", from?.ToString().ToLowerInvariant())
@@ -226,14 +225,4 @@ internal static class StepLog
                     now.Code is { } code ? $"{code}: {basis}" : basis);
         }
     }
-
-    private static LogEventLevel LevelOf(CorrectionState state) => state switch
-    {
-        CorrectionState.Verified or CorrectionState.Released or CorrectionState.Recorded or CorrectionState.Proposed =>
-            LogEventLevel.Information,
-        CorrectionState.Refused or CorrectionState.Superseded or CorrectionState.Rejected or CorrectionState.Reverted =>
-            LogEventLevel.Warning,
-        CorrectionState.Failed => LogEventLevel.Error,
-        _ => LogEventLevel.Debug,
-    };
 }

@@ -53,7 +53,7 @@ public sealed record CellStatus(
                 s => SlotStatus.Of(settings, m, s, store, isRunning ? heartbeat : null)))],
             [.. store.Corrections.InState(CorrectionState.Proposed).OrderBy(c => c.Turn).ThenBy(c => c.Id)],
             store.Corrections.InState(CorrectionState.Failed),
-            store.Corrections.InState(CorrectionState.Archived, CorrectionState.Recognized),
+            store.Corrections.InState([.. CorrectionSteps.Where(s => s.IsInWork)]),
             store.Corrections.Counts())
         {
             Tampered = store.Tampered(),

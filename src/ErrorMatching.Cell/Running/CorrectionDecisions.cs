@@ -15,7 +15,7 @@ public sealed class CorrectionDecisions(CellStore store)
     /// <exception cref="DecisionException">It cannot be approved.</exception>
     public Correction Approve(long id, string by, string? reason)
     {
-        var correction = Demand(id, "approved", CorrectionState.Proposed, CorrectionState.Failed);
+        var correction = Demand(id, "approved", CorrectionSteps.Where(s => s.IsUndecided));
         if (correction.ProgramSha256 is null)
         {
             throw new DecisionException(
@@ -36,7 +36,7 @@ public sealed class CorrectionDecisions(CellStore store)
     /// <exception cref="DecisionException">It cannot be rejected.</exception>
     public Correction Reject(long id, string by, string reason)
     {
-        var correction = Demand(id, "rejected", CorrectionState.Proposed, CorrectionState.Approved, CorrectionState.Failed);
+        var correction = Demand(id, "rejected", CorrectionSteps.Before(CorrectionState.Rejected));
         return Step(correction, CorrectionState.Rejected, by, reason, c => c with { Code = "rejected", Reason = reason });
     }
 
@@ -47,7 +47,7 @@ public sealed class CorrectionDecisions(CellStore store)
     /// <exception cref="DecisionException">It cannot be released.</exception>
     public Correction Release(long id, string by, string? reason)
     {
-        var correction = Demand(id, "released", CorrectionState.Verified, CorrectionState.Reverted);
+        var correction = Demand(id, "released", CorrectionSteps.Where(s => s.WaitsForRelease));
         if (correction.State == CorrectionState.Verified)
         {
             return Step(correction, CorrectionState.Released, by, reason ?? Recorded.PieceCut.With(), null);
@@ -73,7 +73,7 @@ public sealed class CorrectionDecisions(CellStore store)
                 DecisionException.UnknownCorrection,
                 FormattableString.Invariant($"There is no correction {id}. errormatch cell history lists those that there are."));
 
-    internal Correction Demand(long id, string done, params CorrectionState[] states)
+    internal Correction Demand(long id, string done, IReadOnlyList<CorrectionState> states)
     {
         var correction = Demand(id);
         return states.Contains(correction.State) ? correction : throw new DecisionException(

@@ -38,7 +38,8 @@ internal sealed record CutProgram(Correction? By, Correction? Undecided)
         ? null
         : store.Corrections.OfProgram(job, program).LastOrDefault(
             c => c.Id < made.Id
-                && c is { SumsSha256: not null, State: CorrectionState.Verified or CorrectionState.Released or CorrectionState.Reverted });
+                && c.SumsSha256 is not null
+                && (CorrectionSteps.Of(c.State).IsSent || c.State == CorrectionState.Reverted));
 
     /// <summary>Why nothing is computed until it is known, and what to do.</summary>
     public Statement Reason => Undecided is not { } held ? "" : held.State == CorrectionState.Reverted

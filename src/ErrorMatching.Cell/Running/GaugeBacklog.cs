@@ -31,7 +31,7 @@ public sealed record GaugeBacklog(
     /// <summary>What waits in the store, by gauge; gauges without anything are left out.</summary>
     internal static IReadOnlyDictionary<string, (long Count, DateTimeOffset Since)> InStore(CellStore store) => store.Read(
         $"SELECT gauge, count(*), min(arrived_at) FROM correction WHERE "
-            + CorrectionRow.IsIn("state", CorrectionState.Archived, CorrectionState.Recognized) + " GROUP BY gauge",
+            + CorrectionRow.IsIn("state", CorrectionSteps.Where(s => s.IsInWork)) + " GROUP BY gauge",
         r => (Gauge: r.GetString(0), Count: r.GetInt64(1), Since: StoredTime.From(r.GetInt64(2)))).ToDictionary(
             g => g.Gauge, g => (g.Count, g.Since), StringComparer.Ordinal);
 

@@ -123,17 +123,9 @@ internal sealed class ProposeWorker(CellFlow flow)
                     && c.Piece == correction.Piece
                     && c.WorkOrder == correction.WorkOrder)];
 
-    private static bool TakesPlace(Correction newer) => newer.State switch
-    {
-        CorrectionState.Proposed
-            or CorrectionState.Approved
-            or CorrectionState.Uploading
-            or CorrectionState.Verified
-            or CorrectionState.Released =>
-            true,
-        CorrectionState.Failed => newer.ProgramSha256 is not null,
-        _ => false,
-    };
+    private static bool TakesPlace(Correction newer) => newer.State == CorrectionState.Failed
+        ? newer.ProgramSha256 is not null
+        : CorrectionSteps.Of(newer.State).NamesProgram && !CorrectionSteps.IsEnd(newer.State);
 
     private void Supersede(Correction older, Correction newer) => flow.Step(
         older,

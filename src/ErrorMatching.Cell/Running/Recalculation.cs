@@ -21,7 +21,8 @@ public sealed class Recalculation(CellSettings settings, CellStore store)
     /// <exception cref="StoreException">The store cannot be used, or the measurement is not in it.</exception>
     public Correction Recalculate(long id, string by, string? reason)
     {
-        var correction = _decisions.Demand(id, "computed anew", CorrectionState.Proposed, CorrectionState.Approved, CorrectionState.Failed);
+        // What may be rejected may be recalculated instead.
+        var correction = _decisions.Demand(id, "computed anew", CorrectionSteps.Before(CorrectionState.Rejected));
         if (correction.Identity is null)
         {
             throw new DecisionException(

@@ -22,7 +22,7 @@ internal sealed record RevertedBase(Correction By)
         }
 
         var made = flow.Store.Corrections.OfProgram(job, program);
-        return made.Any(c => c.State is CorrectionState.Verified or CorrectionState.Released)
+        return made.Any(c => CorrectionSteps.Of(c.State).IsSent)
             || made.LastOrDefault(c => c.State == CorrectionState.Reverted) is not { } reverted
             || IsOriginal(flow, job, program)
             ? null

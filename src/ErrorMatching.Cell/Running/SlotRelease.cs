@@ -19,7 +19,7 @@ public sealed class SlotRelease(CellSettings settings, CellStore store, Func<Mac
     public async Task<Correction> ReleaseAsync(long id, string by, string? reason, CancellationToken cancellation)
     {
         var decisions = new CorrectionDecisions(store);
-        var held = decisions.Demand(id, "released", CorrectionState.Verified, CorrectionState.Reverted);
+        var held = decisions.Demand(id, "released", CorrectionSteps.Where(s => s.WaitsForRelease));
         var machine = settings.Machines.FirstOrDefault(m => m.Name == held.Machine);
         var holding = store.Slot(held.Machine!, held.Slot!);
         if (string.IsNullOrWhiteSpace(reason) && holding.Correction == id

@@ -25,7 +25,7 @@ public sealed class SlotReversal(CellSettings settings, CellStore store, Func<Ma
     public async Task<Correction> RevertAsync(long id, string by, string reason, CancellationToken cancellation)
     {
         var decisions = new CorrectionDecisions(store);
-        var correction = decisions.Demand(id, "reverted", CorrectionState.Verified, CorrectionState.Released);
+        var correction = decisions.Demand(id, "reverted", CorrectionSteps.Before(CorrectionState.Reverted));
         if (correction.RevertedSha256 is not { } previous)
         {
             throw new DecisionException(

@@ -32,11 +32,11 @@ public sealed record SlotStatus(
         get
         {
             // The lists of what is before them are the beginnings of one list: a line may be long.
-            Correction[] undecided = [.. Line.Where(IsUndecided)];
+            Correction[] undecided = [.. Line.Where(c => c.IsUndecided)];
             var (held, before) = (new List<HeldUpCorrection>(), 0);
             foreach (var correction in Line)
             {
-                before += IsUndecided(correction) ? 1 : 0;
+                before += correction.IsUndecided ? 1 : 0;
                 if (correction.State == CorrectionState.Approved && before > 0)
                 {
                     held.Add(new(correction, new ArraySegment<Correction>(undecided, 0, before)));
@@ -47,16 +47,14 @@ public sealed record SlotStatus(
         }
     }
 
-    /// <summary>The corrections that must be decided before a correction can be sent: those before it in line that are proposed or failed
-    /// at the machine.</summary>
+    /// <summary>The corrections that must be decided before a correction can be sent: those before it in line that wait for a
+    /// decision.</summary>
     /// <param name="id">Number of the correction.</param>
     /// <returns>In line order; none if the correction is not in this line.</returns>
     public IReadOnlyList<Correction> UndecidedBefore(long id) =>
         Line.Any(c => c.Id == id)
-            ? [.. Line.TakeWhile(c => c.Id != id).Where(IsUndecided)]
+            ? [.. Line.TakeWhile(c => c.Id != id).Where(c => c.IsUndecided)]
             : [];
-
-    private static bool IsUndecided(Correction correction) => correction.State is CorrectionState.Proposed or CorrectionState.Failed;
 
     internal static SlotStatus Of(
         CellSettings settings, MachineSettings machine, SlotSettings slot, CellStore store, Heartbeat? running)

@@ -38,10 +38,10 @@ internal sealed class UnservedWorker(CellFlow flow)
             return null;
         }
 
-        return waiting.State switch
+        return CorrectionSteps.Of(waiting.State).TakenBy switch
         {
-            CorrectionState.Archived => hasGauge ? null : $"gauge \"{waiting.Gauge}\"",
-            CorrectionState.Recognized or CorrectionState.Computed or CorrectionState.Proposed when !flow.Jobs.Contains(waiting.Job!) =>
+            StateWorker.Recognize => hasGauge ? null : $"gauge \"{waiting.Gauge}\"",
+            StateWorker.Compute or StateWorker.Propose when !flow.Jobs.Contains(waiting.Job!) =>
                 $"job \"{waiting.Job}\"",
             _ when !flow.Settings.Machines.Any(m => m.Name == waiting.Machine && m.Slots.Any(s => s.Name == waiting.Slot)) =>
                 $"slot \"{waiting.Slot}\" of \"{waiting.Machine}\"",

@@ -109,6 +109,18 @@ public sealed record Correction(
     /// <summary>The reason in a setter's terms; null if there is none.</summary>
     public Statement? Reason { get; init; }
 
+    /// <summary>True if it waits for a person's decision: to be approved or rejected.</summary>
+    public bool IsUndecided => CorrectionSteps.Of(State).IsUndecided;
+
+    /// <summary>True if cutting is still a question: its program is proposed, at the machine, or on its way there.</summary>
+    public bool IsToBeCut => CorrectionSteps.Of(State) is { NamesProgram: true, IsSettled: false };
+
+    /// <summary>True if its slot, while it has one, may be released by an operator.</summary>
+    public bool WaitsForRelease => CorrectionSteps.Of(State).WaitsForRelease;
+
+    /// <summary>True if a person or a newer measurement decided against it, so that its piece does not count.</summary>
+    public bool IsSetAside => CorrectionSteps.Of(State).IsSetAside;
+
     /// <summary>The W3C trace that follows this correction from file to verified; null without tracing.</summary>
     public string? Trace { get; init; }
 }

@@ -1,79 +1,239 @@
+using Serilog.Events;
+
 namespace ErrorMatching.Cell;
 
-/// <summary>The life of a correction: the table of states and allowed steps, each with the worker or decision that takes it. Any other
-/// step is rejected.</summary>
+/// <summary>The life of a correction: the table of states, with what is true of a correction in each and the allowed steps, each with
+/// the worker or decision that takes it. Any other step is rejected.</summary>
 /// <remarks>A correction begins as archived: its file arrived (<see cref="SourceWorker"/>), or it recalculates an earlier one
 /// (<see cref="Recalculation"/>). A file that is too large to be stored begins as refused. A worker finds its work in the store by state,
 /// so that any process can take the next step.</remarks>
-internal static class CorrectionSteps
+public static class CorrectionSteps
 {
-    private static readonly Dictionary<CorrectionState, CorrectionState[]> Table = new()
+    private static readonly Dictionary<CorrectionState, StateRow> Table = new()
     {
-        [CorrectionState.Archived] =
-        [
-            CorrectionState.Recognized, // RecognizeWorker.Begin
-            CorrectionState.Refused, // RecognizeWorker.Refuse
-            CorrectionState.Failed, // CellFlow.FailingAlone
-        ],
-        [CorrectionState.Recognized] =
-        [
-            CorrectionState.Computed, // ComputeWorker.Keep
-            CorrectionState.Recorded, // ComputeWorker.Record
-            CorrectionState.Refused, // ComputeWorker.Refuse
-            CorrectionState.Failed, // ComputeWorker.Compute, CellFlow.FailingAlone
-        ],
-        [CorrectionState.Computed] =
-        [
-            CorrectionState.Proposed, // ProposeWorker.Propose
-            CorrectionState.Refused, // ProposeWorker.Propose, ProposeWorker.WorkAsync
-            CorrectionState.Superseded, // ProposeWorker.Supersede
-        ],
-        [CorrectionState.Proposed] =
-        [
-            CorrectionState.Approved, // ProposeWorker.ApproveByPolicy, CorrectionDecisions.Approve
-            CorrectionState.Rejected, // CorrectionDecisions.Reject
-            CorrectionState.Superseded, // ProposeWorker.Supersede, Recalculation.Recalculate
-        ],
-        [CorrectionState.Approved] =
-        [
-            CorrectionState.Uploading, // SlotWorker.TakeAsync
-            CorrectionState.Rejected, // CorrectionDecisions.Reject
-            CorrectionState.Superseded, // ProposeWorker.Supersede, Recalculation.Recalculate
-        ],
-        [CorrectionState.Uploading] =
-        [
-            CorrectionState.Verified, // SlotWorker.Verify
-            CorrectionState.Approved, // SlotWorker.GiveBackAsync
-            CorrectionState.Failed, // SlotWorker.Fail
-        ],
-        [CorrectionState.Verified] =
-        [
-            CorrectionState.Released, // HeldProgram.LookForReadyAsync, CorrectionDecisions.Release
-            CorrectionState.Reverted, // SlotReversal.RevertAsync
-        ],
-        [CorrectionState.Released] =
-        [
-            CorrectionState.Reverted, // SlotReversal.RevertAsync
-        ],
-        [CorrectionState.Failed] =
-        [
-            CorrectionState.Approved, // CorrectionDecisions.Approve
-            CorrectionState.Rejected, // CorrectionDecisions.Reject
-            CorrectionState.Superseded, // ProposeWorker.Supersede, Recalculation.Recalculate
-        ],
-        [CorrectionState.Superseded] = [],
-        [CorrectionState.Recorded] = [],
-        [CorrectionState.Refused] = [],
-        [CorrectionState.Rejected] = [],
-        [CorrectionState.Reverted] = [],
+        [CorrectionState.Archived] = new()
+        {
+            Level = LogEventLevel.Debug, TakenBy = StateWorker.Recognize, MayBegin = true, IsInLine = true, IsUndecided = false,
+            NamesProgram = false, HasSlot = false, WaitsForRelease = false, IsSent = false,
+            IsSettled = false, IsSetAside = false, EndsTampered = false,
+            To =
+            [
+                CorrectionState.Recognized, // RecognizeWorker.Begin
+                CorrectionState.Refused, // RecognizeWorker.Refuse
+                CorrectionState.Failed, // CellFlow.FailingAlone
+            ],
+        },
+        [CorrectionState.Recognized] = new()
+        {
+            Level = LogEventLevel.Debug, TakenBy = StateWorker.Compute, MayBegin = false, IsInLine = true, IsUndecided = false,
+            NamesProgram = false, HasSlot = false, WaitsForRelease = false, IsSent = false,
+            IsSettled = false, IsSetAside = false, EndsTampered = false,
+            To =
+            [
+                CorrectionState.Computed, // ComputeWorker.Keep
+                CorrectionState.Recorded, // ComputeWorker.Record
+                CorrectionState.Refused, // ComputeWorker.Refuse
+                CorrectionState.Failed, // ComputeWorker.Compute, CellFlow.FailingAlone
+            ],
+        },
+        [CorrectionState.Computed] = new()
+        {
+            Level = LogEventLevel.Debug, TakenBy = StateWorker.Propose, MayBegin = false, IsInLine = true, IsUndecided = false,
+            NamesProgram = false, HasSlot = false, WaitsForRelease = false, IsSent = false,
+            IsSettled = false, IsSetAside = false, EndsTampered = false,
+            To =
+            [
+                CorrectionState.Proposed, // ProposeWorker.Propose
+                CorrectionState.Refused, // ProposeWorker.Propose, ProposeWorker.WorkAsync
+                CorrectionState.Superseded, // ProposeWorker.Supersede
+            ],
+        },
+        [CorrectionState.Proposed] = new()
+        {
+            Level = LogEventLevel.Information, TakenBy = StateWorker.Propose, MayBegin = false, IsInLine = true, IsUndecided = true,
+            NamesProgram = true, HasSlot = false, WaitsForRelease = false, IsSent = false,
+            IsSettled = false, IsSetAside = false, EndsTampered = false,
+            To =
+            [
+                CorrectionState.Approved, // ProposeWorker.ApproveByPolicy, CorrectionDecisions.Approve
+                CorrectionState.Rejected, // CorrectionDecisions.Reject
+                CorrectionState.Superseded, // ProposeWorker.Supersede, Recalculation.Recalculate
+            ],
+        },
+        [CorrectionState.Approved] = new()
+        {
+            Level = LogEventLevel.Debug, TakenBy = StateWorker.Slot, MayBegin = false, IsInLine = true, IsUndecided = false,
+            NamesProgram = true, HasSlot = false, WaitsForRelease = false, IsSent = false,
+            IsSettled = false, IsSetAside = false, EndsTampered = false,
+            To =
+            [
+                CorrectionState.Uploading, // SlotWorker.TakeAsync
+                CorrectionState.Rejected, // CorrectionDecisions.Reject
+                CorrectionState.Superseded, // ProposeWorker.Supersede, Recalculation.Recalculate
+            ],
+        },
+        [CorrectionState.Uploading] = new()
+        {
+            Level = LogEventLevel.Debug, TakenBy = StateWorker.Slot, MayBegin = false, IsInLine = false, IsUndecided = false,
+            NamesProgram = true, HasSlot = true, WaitsForRelease = false, IsSent = false,
+            IsSettled = false, IsSetAside = false, EndsTampered = false,
+            To =
+            [
+                CorrectionState.Verified, // SlotWorker.Verify
+                CorrectionState.Approved, // SlotWorker.GiveBackAsync
+                CorrectionState.Failed, // SlotWorker.Fail
+            ],
+        },
+        [CorrectionState.Verified] = new()
+        {
+            Level = LogEventLevel.Information, TakenBy = null, MayBegin = false, IsInLine = false, IsUndecided = false,
+            NamesProgram = true, HasSlot = true, WaitsForRelease = true, IsSent = true,
+            IsSettled = false, IsSetAside = false, EndsTampered = false,
+            To =
+            [
+                CorrectionState.Released, // HeldProgram.LookForReadyAsync, CorrectionDecisions.Release
+                CorrectionState.Reverted, // SlotReversal.RevertAsync
+            ],
+        },
+        [CorrectionState.Released] = new()
+        {
+            Level = LogEventLevel.Information, TakenBy = null, MayBegin = false, IsInLine = false, IsUndecided = false,
+            NamesProgram = true, HasSlot = false, WaitsForRelease = false, IsSent = true,
+            IsSettled = true, IsSetAside = false, EndsTampered = false,
+            To =
+            [
+                CorrectionState.Reverted, // SlotReversal.RevertAsync
+            ],
+        },
+        [CorrectionState.Failed] = new()
+        {
+            Level = LogEventLevel.Error, TakenBy = null, MayBegin = false, IsInLine = true, IsUndecided = true,
+            NamesProgram = false, HasSlot = false, WaitsForRelease = false, IsSent = false,
+            IsSettled = false, IsSetAside = false, EndsTampered = false,
+            To =
+            [
+                CorrectionState.Approved, // CorrectionDecisions.Approve
+                CorrectionState.Rejected, // CorrectionDecisions.Reject
+                CorrectionState.Superseded, // ProposeWorker.Supersede, Recalculation.Recalculate
+            ],
+        },
+        [CorrectionState.Superseded] = new()
+        {
+            Level = LogEventLevel.Warning, TakenBy = null, MayBegin = false, IsInLine = false, IsUndecided = false,
+            NamesProgram = false, HasSlot = false, WaitsForRelease = false, IsSent = false,
+            IsSettled = true, IsSetAside = true, EndsTampered = true,
+            To = [],
+        },
+        [CorrectionState.Recorded] = new()
+        {
+            Level = LogEventLevel.Information, TakenBy = null, MayBegin = false, IsInLine = false, IsUndecided = false,
+            NamesProgram = false, HasSlot = false, WaitsForRelease = false, IsSent = false,
+            IsSettled = true, IsSetAside = false, EndsTampered = false,
+            To = [],
+        },
+        [CorrectionState.Refused] = new()
+        {
+            Level = LogEventLevel.Warning, TakenBy = null, MayBegin = true, IsInLine = false, IsUndecided = false,
+            NamesProgram = false, HasSlot = false, WaitsForRelease = false, IsSent = false,
+            IsSettled = true, IsSetAside = false, EndsTampered = true,
+            To = [],
+        },
+        [CorrectionState.Rejected] = new()
+        {
+            Level = LogEventLevel.Warning, TakenBy = null, MayBegin = false, IsInLine = false, IsUndecided = false,
+            NamesProgram = false, HasSlot = false, WaitsForRelease = false, IsSent = false,
+            IsSettled = true, IsSetAside = true, EndsTampered = true,
+            To = [],
+        },
+        [CorrectionState.Reverted] = new()
+        {
+            Level = LogEventLevel.Warning, TakenBy = null, MayBegin = false, IsInLine = false, IsUndecided = false,
+            NamesProgram = true, HasSlot = false, WaitsForRelease = true, IsSent = false,
+            IsSettled = true, IsSetAside = false, EndsTampered = false,
+            To = [],
+        },
     };
 
     /// <summary>The states that one step leads to.</summary>
-    public static IReadOnlyList<CorrectionState> From(CorrectionState state) => Table[state];
+    public static IReadOnlyList<CorrectionState> From(CorrectionState state) => Table[state].To;
+
+    /// <summary>The states from which one step leads to a state.</summary>
+    public static IReadOnlyList<CorrectionState> Before(CorrectionState to) => Where(r => r.To.Contains(to));
 
     /// <summary>True if the step is allowed.</summary>
-    public static bool Allows(CorrectionState from, CorrectionState to) => Table[from].Contains(to);
+    public static bool Allows(CorrectionState from, CorrectionState to) => Table[from].To.Contains(to);
 
     /// <summary>True if no step leads out of the state.</summary>
-    public static bool IsEnd(CorrectionState state) => Table[state].Length == 0;
+    public static bool IsEnd(CorrectionState state) => Table[state].To is [];
+
+    /// <summary>The row of a state.</summary>
+    internal static StateRow Of(CorrectionState state) => Table[state];
+
+    /// <summary>The states of some rows, in the order of the enumeration.</summary>
+    internal static IReadOnlyList<CorrectionState> Where(Func<StateRow, bool> isMeant) =>
+        [.. Enum.GetValues<CorrectionState>().Where(s => isMeant(Table[s]))];
+}
+
+/// <summary>What is true of every correction in a state. All members are required: a new state answers each question that a place of
+/// the cell, the console or the station asks.</summary>
+internal sealed record StateRow
+{
+    /// <summary>How loudly a step to it is logged.</summary>
+    public required LogEventLevel Level { get; init; }
+
+    /// <summary>The worker that takes it from here, so it is woken; null if the cell waits for a machine or a person, or for nothing.
+    /// Then the slot's worker is woken: the line that it was in may move.</summary>
+    public required StateWorker? TakenBy { get; init; }
+
+    /// <summary>True if an arrival may have it.</summary>
+    public required bool MayBegin { get; init; }
+
+    /// <summary>True if it is in line for its slot. One that failed is only if it has a program.</summary>
+    public required bool IsInLine { get; init; }
+
+    /// <summary>True if it waits for a person's decision, and in line nobody overtakes it.</summary>
+    public required bool IsUndecided { get; init; }
+
+    /// <summary>True if the audit entry of a step to it names the computed program.</summary>
+    public required bool NamesProgram { get; init; }
+
+    /// <summary>True if it has its slot.</summary>
+    public required bool HasSlot { get; init; }
+
+    /// <summary>True if, while it has its slot, an operator may free it.</summary>
+    public required bool WaitsForRelease { get; init; }
+
+    /// <summary>True if its program was verified at the machine and not reverted.</summary>
+    public required bool IsSent { get; init; }
+
+    /// <summary>True if nobody waits for it any more: what it names may be archived, and its row is compared with the trail once.</summary>
+    public required bool IsSettled { get; init; }
+
+    /// <summary>True if a person or a newer measurement decided against it, so that its piece does not count.</summary>
+    public required bool IsSetAside { get; init; }
+
+    /// <summary>True if a step to it may start from a row that somebody else wrote: this is how a person gets rid of it.</summary>
+    public required bool EndsTampered { get; init; }
+
+    /// <summary>The states that one step leads to.</summary>
+    public required CorrectionState[] To { get; init; }
+
+    /// <summary>True if it has arrived and is not computed yet.</summary>
+    public bool IsInWork => TakenBy is StateWorker.Recognize or StateWorker.Compute;
+}
+
+/// <summary>The workers that take corrections on by their state.</summary>
+internal enum StateWorker
+{
+    /// <summary>Determines the piece and the job.</summary>
+    Recognize,
+
+    /// <summary>Makes the program.</summary>
+    Compute,
+
+    /// <summary>Proposes, and approves by the policy.</summary>
+    Propose,
+
+    /// <summary>Sends it to its slot.</summary>
+    Slot,
 }

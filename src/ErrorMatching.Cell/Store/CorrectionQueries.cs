@@ -23,11 +23,8 @@ public sealed class CorrectionQueries
             CorrectionRow.ReadStep,
             [("id", id)]);
 
-    // A failed one with a program is in line, too.
-    private static readonly CorrectionState[] InLine =
-    [
-        CorrectionState.Archived, CorrectionState.Recognized, CorrectionState.Computed, CorrectionState.Proposed, CorrectionState.Approved,
-    ];
+    // A failed one is in line only with a program.
+    private static readonly CorrectionState[] InLine = [.. CorrectionSteps.Where(s => s.IsInLine).Except([CorrectionState.Failed])];
 
     /// <summary>The corrections in line for a slot, in order of arrival: from recognized to approved, and those that failed there. A
     /// correction that failed without a program has nothing to send and is excluded. One that recalculates an earlier
@@ -129,7 +126,7 @@ public sealed class CorrectionQueries
         var columns = string.Join(", ", CorrectionRow.Columns.Split(", ").Select(c => "correction." + c));
         var verified = CorrectionRow.IsIn("step.to_state", CorrectionState.Verified);
         var sent = "correction.job = @job AND "
-            + CorrectionRow.IsIn("correction.state", CorrectionState.Verified, CorrectionState.Released);
+            + CorrectionRow.IsIn("correction.state", CorrectionSteps.Where(s => s.IsSent));
 
         // Any piece: from the last step on, until one is of the job. A serial number has few corrections.
         var from = serial is null
@@ -177,17 +174,10 @@ public sealed class CorrectionQueries
             CorrectionRow.Read,
             [("sha256", sha256), ("job", job)]);
 
-    /// <summary>The corrections from archived to uploading, without failed ones, grouped by what they wait for.</summary>
+    /// <summary>The corrections that a worker takes on, grouped by what they wait for.</summary>
     internal IReadOnlyList<WaitingCorrections> Waiting() => Read(
         "SELECT state, gauge, job, machine, slot, count(*), min(id) FROM correction WHERE "
-        + CorrectionRow.IsIn(
-            "state",
-            CorrectionState.Archived,
-            CorrectionState.Recognized,
-            CorrectionState.Computed,
-            CorrectionState.Proposed,
-            CorrectionState.Approved,
-            CorrectionState.Uploading)
+        + CorrectionRow.IsIn("state", CorrectionSteps.Where(s => s.TakenBy is not null))
         + " GROUP BY state, gauge, job, machine, slot",
         r => new WaitingCorrections(
             Enum.Parse<CorrectionState>(r.GetString(0), ignoreCase: true),

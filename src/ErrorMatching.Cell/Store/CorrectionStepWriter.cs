@@ -118,8 +118,7 @@ internal static class CorrectionStepWriter
 
         if (row.Holds(key) && CorrectionRow.Coded(from).Code(key) == row.Code) return;
         var message = Recorded.CorrectionTampered.With(from.Id);
-        var isEnded = after.State is CorrectionState.Rejected or CorrectionState.Refused or CorrectionState.Superseded;
-        if (!isEnded && after is not { State: CorrectionState.Failed, ProgramSha256: null })
+        if (!CorrectionSteps.Of(after.State).EndsTampered && after is not { State: CorrectionState.Failed, ProgramSha256: null })
         {
             throw new StoreException(StoreError.Tampered, message);
         }

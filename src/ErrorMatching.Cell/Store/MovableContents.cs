@@ -23,24 +23,19 @@ internal static class MovableContents
 
     private static readonly string Sql = $"""
         WITH kept AS (
-            SELECT id FROM correction WHERE changed_at >= @Before OR NOT {CorrectionRow.IsIn(
-                "state",
-                CorrectionState.Superseded,
-                CorrectionState.Recorded,
-                CorrectionState.Refused,
-                CorrectionState.Rejected,
-                CorrectionState.Reverted,
-                CorrectionState.Released)}
+            SELECT id FROM correction WHERE changed_at >= @Before 
+                OR NOT {CorrectionRow.IsIn("state", CorrectionSteps.Where(s => s.IsSettled))}
             UNION SELECT id FROM (
                 SELECT id, row_number() OVER (PARTITION BY machine, slot ORDER BY id DESC) AS place FROM correction
                 WHERE slot IS NOT NULL) AS line WHERE place <= @KeepLast
             UNION SELECT correction.id FROM correction JOIN slot ON slot.machine = correction.machine AND slot.slot = correction.slot
                 AND (slot.correction = correction.id OR slot.program_sha256 = correction.program_sha256)
-            UNION SELECT max(id) FROM correction WHERE piece = '{PieceWords.Part}' AND state = 'recorded' GROUP BY job
+            UNION SELECT max(id) FROM correction WHERE piece = '{PieceWords.Part}'
+                AND {CorrectionRow.IsIn("state", CorrectionState.Recorded)} GROUP BY job
             UNION SELECT step.correction FROM step JOIN (
                 SELECT max(sent.id) AS id FROM step AS sent JOIN correction ON correction.id = sent.correction
                 WHERE {CorrectionRow.IsIn("sent.to_state", CorrectionState.Verified)}
-                    AND {CorrectionRow.IsIn("correction.state", CorrectionState.Verified, CorrectionState.Released)}
+                    AND {CorrectionRow.IsIn("correction.state", CorrectionSteps.Where(s => s.IsSent))}
                 GROUP BY correction.job) AS last ON last.id = step.id
         ), needed AS MATERIALIZED (
             SELECT id FROM kept

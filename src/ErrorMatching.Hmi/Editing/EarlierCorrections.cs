@@ -24,8 +24,8 @@ internal sealed class EarlierCorrections(Station station, Func<SignedIn?> who)
     {
         var names = station.Settings.Jobs.Where(j => j.File == job.File).Select(j => j.Name).ToArray();
         return [
-            .. station.Store.Corrections.InState(
-                CorrectionState.Proposed, CorrectionState.Approved, CorrectionState.Failed).Where(c => names.Contains(c.Job))];
+            .. station.Store.Corrections.InState([.. CorrectionSteps.Before(CorrectionState.Rejected)])
+                .Where(c => names.Contains(c.Job))];
     }
 
     /// <summary>Those of them that were computed with another version of the job, in queue order.</summary>

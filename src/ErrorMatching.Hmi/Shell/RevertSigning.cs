@@ -7,7 +7,8 @@ internal static class RevertSigning
 {
     /// <summary>True if it can be restored: the correction's program is at the machine, or was cut and is still in the slot.</summary>
     public static bool IsPossible(StoredCorrection? kept) =>
-        kept is { IsInSlot: true, Correction: { State: CorrectionState.Verified or CorrectionState.Released, RevertedSha256: not null } };
+        kept is { IsInSlot: true, Correction.RevertedSha256: not null }
+            && CorrectionSteps.Allows(kept.Correction.State, CorrectionState.Reverted);
 
     /// <summary>Creates the signing dialog.</summary>
     /// <param name="shell">The shell that shows it, and its current user.</param>

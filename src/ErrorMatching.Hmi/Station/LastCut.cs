@@ -43,6 +43,6 @@ public sealed record LastCut(Correction Correction, bool IsMating, Correction? C
 
     private static bool IsOf(Correction counterpart, Correction cut) =>
         counterpart is { Piece: PieceWords.Counterpart, PartSha256: not null }
-            && counterpart.State is not (CorrectionState.Rejected or CorrectionState.Superseded)
+            && !counterpart.IsSetAside
             && counterpart.PartSha256 == cut.MeasurementSha256;
 }

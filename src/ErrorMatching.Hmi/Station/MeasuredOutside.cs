@@ -33,7 +33,7 @@ internal sealed class MeasuredOutside(CellSettings settings)
     {
         Correction[] measured = [
             .. store.Corrections.Reported(mating.Jobs, StoredPieces.Most).Where(
-                c => c.Piece == PieceWords.Counterpart && c.State is not (CorrectionState.Rejected or CorrectionState.Superseded))];
+                c => c.Piece == PieceWords.Counterpart && !c.IsSetAside)];
         if (!_since.TryGetValue(mating.Name, out var since))
         {
             _since[mating.Name] = since = measured is [var newest, ..] ? newest.Id : 0;

@@ -23,10 +23,6 @@ internal sealed record StoredCorrection(
     /// correction.</summary>
     public Correction? Before { get; init; }
 
-    /// <summary>True if cutting is still a question: the program is proposed or on its way to the machine.</summary>
-    public bool IsToBeCut => Correction.State is CorrectionState.Proposed or CorrectionState.Approved or CorrectionState.Uploading
-        or CorrectionState.Verified;
-
     /// <summary>True if its program was generated and calls no tool.</summary>
     public bool LacksToolCall => Surface?.CallsTool == false;
 

@@ -20,9 +20,9 @@ internal sealed class StoredPieces
         ArgumentNullException.ThrowIfNull(store);
         var pieces = new List<StoredPiece>();
 
-        // Rejected and superseded corrections were never cut.
+        // What was set aside was never cut.
         foreach (var correction in store.Corrections.Reported(jobs, most)
-            .Where(c => c.State is not (CorrectionState.Rejected or CorrectionState.Superseded))
+            .Where(c => !c.IsSetAside)
             .OrderBy(c => c.Turn)
             .ThenBy(c => c.Id))
         {

@@ -19,7 +19,9 @@ internal static class CorrectionLabel
     {
         CorrectionState.Failed => Severity.Alarm,
         CorrectionState.Proposed or CorrectionState.Reverted => Severity.Attention,
-        _ => Severity.Quiet
+        CorrectionState.Archived or CorrectionState.Recognized or CorrectionState.Computed or CorrectionState.Approved
+            or CorrectionState.Uploading or CorrectionState.Verified or CorrectionState.Released or CorrectionState.Superseded
+            or CorrectionState.Recorded or CorrectionState.Refused or CorrectionState.Rejected => Severity.Quiet,
     };
 
     /// <summary>Where its program goes, is or was, in a sentence: machine, slot and file; null if none goes to a machine.</summary>
@@ -32,7 +34,8 @@ internal static class CorrectionLabel
             CorrectionState.Verified => "Target.Is",
             CorrectionState.Released => "Target.Was",
             CorrectionState.Reverted => "Target.TakenBack",
-            _ => null,
+            CorrectionState.Archived or CorrectionState.Recognized or CorrectionState.Computed or CorrectionState.Superseded
+                or CorrectionState.Recorded or CorrectionState.Refused or CorrectionState.Rejected => null,
         };
         return key is null || correction.ProgramSha256 is null
             ? null

@@ -22,10 +22,12 @@ internal static class NextStep
             CorrectionState.Approved when status is not null && WaitReason.Of(status, correction.Id) is { } wait => wait.Text,
             CorrectionState.Approved or CorrectionState.Uploading => texts.With(WayOf(status, correction), correction.Machine!),
             CorrectionState.Verified => CutOf(settings, correction),
-            CorrectionState.Released when GaugesOf(settings, correction) is { Length: > 0 } gauges => texts.With("Next.Measure", gauges),
+            CorrectionState.Released =>
+                GaugesOf(settings, correction) is { Length: > 0 } gauges ? texts.With("Next.Measure", gauges) : null,
             CorrectionState.Reverted when status?.Slots.Any(s => s.Held?.Id == correction.Id) == true => texts["Message.TakenBack.Next"],
             CorrectionState.Reverted => texts["Next.TakenBack"],
-            _ => null,
+            CorrectionState.Archived or CorrectionState.Recognized or CorrectionState.Computed or CorrectionState.Superseded
+                or CorrectionState.Recorded or CorrectionState.Refused or CorrectionState.Rejected => null,
         };
     }
 

@@ -1,6 +1,7 @@
 using System.Reflection;
 using System.Text.RegularExpressions;
 using ErrorMatching.Testing;
+using Serilog.Events;
 
 namespace ErrorMatching.Cell.Tests;
 
@@ -29,6 +30,32 @@ public sealed partial class CorrectionStepsTests
     [InlineData(CorrectionState.Superseded), InlineData(CorrectionState.Recorded), InlineData(CorrectionState.Refused),
         InlineData(CorrectionState.Rejected), InlineData(CorrectionState.Reverted)]
     public void Nothing_follows_an_end(CorrectionState end) => Assert.True(CorrectionSteps.IsEnd(end));
+
+    [Fact]
+    public void Each_state_has_its_log_level() => Assert.Equal(
+        [
+            (CorrectionState.Archived, LogEventLevel.Debug), (CorrectionState.Recognized, LogEventLevel.Debug),
+            (CorrectionState.Computed, LogEventLevel.Debug), (CorrectionState.Proposed, LogEventLevel.Information),
+            (CorrectionState.Approved, LogEventLevel.Debug), (CorrectionState.Uploading, LogEventLevel.Debug),
+            (CorrectionState.Verified, LogEventLevel.Information), (CorrectionState.Released, LogEventLevel.Information),
+            (CorrectionState.Superseded, LogEventLevel.Warning), (CorrectionState.Recorded, LogEventLevel.Information),
+            (CorrectionState.Refused, LogEventLevel.Warning), (CorrectionState.Rejected, LogEventLevel.Warning),
+            (CorrectionState.Failed, LogEventLevel.Error), (CorrectionState.Reverted, LogEventLevel.Warning),
+        ],
+        Enum.GetValues<CorrectionState>().Select(s => (s, CorrectionSteps.Of(s).Level)));
+
+    [Fact]
+    public void What_is_true_of_a_state_fits_its_steps() => Assert.All(Enum.GetValues<CorrectionState>(), state =>
+    {
+        var row = CorrectionSteps.Of(state);
+        var isEnd = CorrectionSteps.IsEnd(state);
+        Assert.Equal(row.IsSent, CorrectionSteps.Allows(state, CorrectionState.Reverted));
+        Assert.True(row.IsSettled || !isEnd, "An end is settled.");
+        Assert.True(isEnd || !(row.IsSetAside || row.EndsTampered), "Only an end gets rid of a correction.");
+        Assert.True(row.NamesProgram || !(row.HasSlot || row.WaitsForRelease || row.IsSent), "Only a program has a slot.");
+        Assert.True(CorrectionSteps.Allows(state, CorrectionState.Approved) || !row.IsUndecided, "What waits can be approved.");
+        Assert.True(row.TakenBy is null || !row.IsSettled, "Nobody takes on what is settled.");
+    });
 
     [Fact]
     public void Nothing_reaches_the_machine_without_an_approval()

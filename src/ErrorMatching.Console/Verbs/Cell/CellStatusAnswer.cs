@@ -90,11 +90,10 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
 
         List(page, "Waiting for a person", status.Proposed, status.CountOf(CorrectionState.Proposed));
         List(page, "Failed", status.Failed, status.CountOf(CorrectionState.Failed));
-        var inWork = status.CountOf(CorrectionState.Archived) + status.CountOf(CorrectionState.Recognized);
-        if (inWork > 0)
+        if (status.InWork.Count > 0)
         {
             page.Line();
-            page.Line($"{Number(inWork)} arrived and not computed yet.");
+            page.Line($"{Number(status.InWork.Count)} arrived and not computed yet.");
         }
 
         foreach (var backlog in status.Backlog.Where(b => b.Count > 0))
@@ -314,7 +313,7 @@ internal sealed class CellStatusAnswer(CellSettings settings, CellStatus status)
         }
 
         foreach (var slot in status.Slots.Where(
-            s => s.Held is { State: CorrectionState.Verified or CorrectionState.Reverted } && s.Slot.ReadyFile is null))
+            s => s.Held is { WaitsForRelease: true } && s.Slot.ReadyFile is null))
         {
             yield return $"{slot.Machine.Name}/{slot.Slot.Name}: when the piece of {Label(slot.Held!)} is cut, errormatch cell release "
                 + $"{settings.File} {Number(slot.Held!.Id)}";

@@ -101,20 +101,20 @@ internal sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     public Command Revert { get; }
 
     /// <summary>True if it can be approved or rejected by a user who has the right.</summary>
-    public bool IsUndecided => State is CorrectionState.Proposed or CorrectionState.Failed or CorrectionState.Approved;
+    public bool IsUndecided => State is { } state && CorrectionSteps.Allows(state, CorrectionState.Rejected);
 
     /// <summary>True if it was computed with an earlier version of the job and is not sent yet, for a user who may reject it.</summary>
     public bool IsOutdated => IsUndecided && Detail!.IsOfChangedJob && _shell.Who is { } who && Rights.Allows(who.Role, Act.Reject);
 
     /// <summary>True if it is at its machine.</summary>
-    public bool IsAtMachine =>
-        State is CorrectionState.Verified || (State is CorrectionState.Reverted && HasSlot(Detail!.Stored.Correction.Id));
+    public bool IsAtMachine => Detail?.Stored.Correction is { WaitsForRelease: true } correction
+        && (correction.State != CorrectionState.Reverted || HasSlot(correction.Id));
 
     /// <summary>Why a button is disabled or missing; null if no explanation is needed.</summary>
     public string? Forbidden => Detail is null || _shell.Who is not { } who ? null
         : !IsUndecided && !IsAtMachine ? Ended
         : _pause.IsOn ? Texts.Current["Compensation.Changed"]
-        : State is CorrectionState.Proposed or CorrectionState.Failed && !Rights.Allows(who.Role, Act.Approve)
+        : Detail.Stored.Correction.IsUndecided && !Rights.Allows(who.Role, Act.Approve)
             ? Texts.Current["Compensation.ApproveTakesSetter"]
         : State is CorrectionState.Verified && !Rights.Allows(who.Role, Act.Revert) ? Texts.Current["Compensation.RevertTakesSetter"]
         : State is CorrectionState.Verified && Detail.Stored.Correction.PreviousSha256 is null ? Texts.Current["Compensation.NothingBefore"]
@@ -133,11 +133,13 @@ internal sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     };
 
     // Why there is nothing to decide; null while it is being sent.
-    private string? Ended => State switch
+    private string? Ended => State is not { } state ? null : state switch
     {
         CorrectionState.Uploading => null,
         CorrectionState.Archived or CorrectionState.Recognized or CorrectionState.Computed => Texts.Current["Compensation.Computing"],
-        _ => Texts.Current["Compensation.Done"],
+        CorrectionState.Proposed or CorrectionState.Approved or CorrectionState.Verified or CorrectionState.Released
+            or CorrectionState.Superseded or CorrectionState.Recorded or CorrectionState.Refused or CorrectionState.Rejected
+            or CorrectionState.Failed or CorrectionState.Reverted => Texts.Current["Compensation.Done"],
     };
 
     /// <summary>Why the user's last action failed; null if there is no message. It stays until another correction is selected.</summary>
@@ -229,7 +231,7 @@ internal sealed class CompensationViewModel : ScreenViewModel, ILooksAt
             }),
         () => IsDecidable && _shell.Who is { } who && Rights.Allows(who.Role, act) && Detail!.Stored.Correction is var c && act switch
         {
-            Act.Approve => c.State is CorrectionState.Proposed || (c.State is CorrectionState.Failed && c.ProgramSha256 is not null),
+            Act.Approve => c is { IsUndecided: true, ProgramSha256: not null },
             Act.Reject => IsUndecided,
             _ => IsAtMachine,
         });

@@ -29,7 +29,7 @@ internal sealed class CorrectionDetail
             (Before, After) = (GapDrawing.Before(_piece), GapDrawing.After(_piece));
         }
 
-        Surface = kept.Surface is { } surface ? new(surface, kept.IsToBeCut) : null;
+        Surface = kept.Surface is { } surface ? new(surface, kept.Correction.IsToBeCut) : null;
     }
 
     public StoredCorrection Stored { get; }
@@ -84,7 +84,7 @@ internal sealed class CorrectionDetail
 
     /// <summary>The verdict on the pair or the surface: what a user decides by; null without a prediction, and for a surface without a
     /// tolerance. Whether to cut is answered until the piece is cut or given up.</summary>
-    public string? Verdict => _verdict is not null ? MatchVerdictText.Of(_verdict, Stored.IsToBeCut)
+    public string? Verdict => _verdict is not null ? MatchVerdictText.Of(_verdict, Stored.Correction.IsToBeCut)
         : Surface is { IsJudged: true } surface ? surface.Verdict
         : null;
 

@@ -13,7 +13,8 @@ internal sealed class SurfaceDetail
     {
         (_kept, _clock) = (kept ?? throw new ArgumentNullException(nameof(kept)), clock);
         Figures = new(
-            kept.Surface ?? throw new ArgumentException("The correction has no report of a surface.", nameof(kept)), kept.IsToBeCut);
+            kept.Surface ?? throw new ArgumentException("The correction has no report of a surface.", nameof(kept)),
+            kept.Correction.IsToBeCut);
     }
 
     /// <summary>Number and serial number or file.</summary>

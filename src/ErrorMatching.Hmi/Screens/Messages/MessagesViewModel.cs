@@ -202,8 +202,7 @@ internal sealed partial class MessagesViewModel : ScreenViewModel
         }
 
         foreach (var slot in status.Slots.Where(
-            s => s.Held is { State: CorrectionState.Reverted }
-                || (s.Held is { State: CorrectionState.Verified } && s.Slot.ReadyFile is null)))
+            s => s.Held is { WaitsForRelease: true, State: var state } && (state != CorrectionState.Verified || s.Slot.ReadyFile is null)))
         {
             var (name, held) = ($"{slot.Machine.Name}/{slot.Slot.Name}", CorrectionLabel.Of(slot.Held!));
             yield return () => slot.Held!.State == CorrectionState.Reverted
