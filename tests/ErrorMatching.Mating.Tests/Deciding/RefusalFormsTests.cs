@@ -1,4 +1,5 @@
 using ErrorMatching.Refusals;
+using ErrorMatching.Testing;
 
 namespace ErrorMatching.Mating.Tests;
 
@@ -10,9 +11,15 @@ public sealed class RefusalFormsTests
     {
         var refusal = RefusalForms.Refusal(RefusalForms.ImplausibleDeviation, InputPlace.None, "5", "C1", 2.56612345, 1.0);
         Assert.Equal(["5", "C1", "2.56612345", "1"], refusal.Values);
-        Assert.StartsWith("Point 5 of C1 is 2.566 mm off, more than the 1 mm", refusal.Message, StringComparison.Ordinal);
         Assert.Equal(refusal.Message, RefusalForms.StatementOf(refusal).Sentence);
     }
+
+    [Fact]
+    public void Refusals_and_warnings_have_their_sentences() => SentenceList.Matches(
+        RefusalForms.All.Concat(WarningForms.All).Select(f => (f.Name, f.Template)),
+        "ErrorMatching.Mating.Tests",
+        "Deciding",
+        "sentences.txt");
 
     [Fact]
     public void Every_form_is_stated_again_from_the_values_of_its_refusal() => Assert.All(RefusalForms.All, form =>

@@ -128,7 +128,9 @@ public sealed class FeatureEvaluatorTests
 
         Assert.Null(evaluation.Curve);
         AssertQuantity(evaluation, "chordMm", Math.Sqrt(200), Math.Sqrt(200));
-        Assert.Contains("turns back over its chord", Assert.Single(evaluation.Warnings).Message, StringComparison.Ordinal);
+        var warning = Assert.Single(evaluation.Warnings);
+        Assert.Equal("folded-curve", warning.Code);
+        Assert.Equal(["C1"], warning.Values);
     }
 
     [Fact]

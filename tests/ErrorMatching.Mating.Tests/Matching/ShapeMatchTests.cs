@@ -1,3 +1,4 @@
+using System.Globalization;
 using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating.Tests;
@@ -162,7 +163,9 @@ public sealed class ShapeMatchTests
 
         var refusal = match.Refusal();
         Assert.Equal(("implausible-course", "N50", 4), (refusal.Code, refusal.Place.Block, refusal.Place.Line));
-        Assert.Contains("1.955 mm, more than the 1 mm", refusal.Message, StringComparison.Ordinal);
+        Assert.Equal("N50", refusal.Values[0]);
+        Assert.Equal(1.955, double.Parse(refusal.Values[2], CultureInfo.InvariantCulture), 3);
+        Assert.Equal("1", refusal.Values[3]);
     }
 
     [Fact]

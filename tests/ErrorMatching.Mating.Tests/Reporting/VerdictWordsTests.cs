@@ -83,6 +83,10 @@ public sealed class VerdictWordsTests
     }
 
     [Fact]
+    public void A_point_that_stands_out_is_named() => Assert.StartsWith(
+        "Point 9 of C1 does not fit the others", VerdictWords.Suspects([new("9", "C1", 0.2, 20)]), StringComparison.Ordinal);
+
+    [Fact]
     public void The_risk_is_said_with_the_one_without_compensation()
     {
         var report = Report([0, 0, 0, 0], 0.0054) with { ProbabilityBefore = 0.02, ProbabilityAfter = 0.995 };
