@@ -64,7 +64,7 @@ public sealed class RecognizerTests : IDisposable
     {
         var found = Recognize("cmm", name, "");
         Assert.Equal(("unknown-piece", null), (found.Code, found.Job));
-        Assert.Contains("\"housing\" wants a file name like", found.Reason!.Sentence, StringComparison.Ordinal);
+        Assert.Contains("asked-wants(housing, like-name(", Stated.As(found.Reason), StringComparison.Ordinal);
     }
 
     [Fact]

@@ -19,7 +19,7 @@ public sealed class OffsetCellTests
         Assert.Equal(ContentHash.Sha256(program), sent.ProgramSha256);
 
         // Positive moves the tool away from the contour, and the boss must grow with its part.
-        Assert.Equal("offset of the control: radius D1 by 0.0200 mm, 0.0200 mm in all.", sent.Offset!.Parts[0].Sentence);
+        Assert.Equal("offset-radius(1, 0.0200, 0.0200)", Stated.As(sent.Offset!.Parts[0]));
         Assert.Equal(0.02, sent.LargestMm!.Value, 6);
         Assert.Equal(sent.LargestMm, sent.SumMm);
         var text = Encoding.ASCII.GetString(program);
@@ -30,10 +30,10 @@ public sealed class OffsetCellTests
         // Everything that people read says so.
         Assert.All(
             cell.Store.Corrections.StepsOf(1).Where(s => s.To is CorrectionState.Computed or CorrectionState.Proposed),
-            s => Assert.Contains("radius D1 by 0.0200 mm", s.Basis.Sentence, StringComparison.Ordinal));
+            s => Assert.Contains("offset-radius(1, 0.0200, ", Stated.As(s.Basis), StringComparison.Ordinal));
         Assert.Contains(
             cell.Store.AuditEntries(0, 99),
-            e => e.What == "proposed" && e.Basis.Sentence.StartsWith("offset of the control: radius D1", StringComparison.Ordinal));
+            e => e.What == "proposed" && Stated.As(e.Basis).StartsWith("offset-radius(1, ", StringComparison.Ordinal));
         var report = ReportReader.Document(cell.Store.Content(sent.ReportSha256!)).Object("correction").Object("program");
         Assert.Equal(sent.ProgramSha256, report.Text("sha256"));
 
@@ -52,10 +52,7 @@ public sealed class OffsetCellTests
         cell.Start();
         cell.Drop("part_S2.csv", OffsetCell.Shifted(0.01, -0.02));
         var next = await cell.Until(2, CorrectionState.Verified);
-        Assert.Equal(
-            "offset of the control: radius D1 by 0.0000 mm, 0.0000 mm in all. offset of the control: work offset 1 by X 0.0100 Y -0.0200 "
-                + "mm, X 0.0100 Y -0.0200 mm in all.",
-            next.Offset!.Sentence);
+        Assert.Equal("offset-radius(1, 0.0000, 0.0000); offset-work(1, 0.0100, -0.0200, 0.0100, -0.0200)", Stated.As(next.Offset));
         Assert.Equal(Math.Sqrt((0.01 * 0.01) + (0.02 * 0.02)), next.LargestMm!.Value, 6);
     }
 
@@ -84,7 +81,7 @@ public sealed class OffsetCellTests
         new CorrectionDecisions(cell.Store).Release(1, "sam", null);
         cell.Drop("part_S2.csv", OffsetCell.Grown(0.001));
         var none = await cell.Until(2, CorrectionState.Verified);
-        Assert.Equal((0, "offset of the control: radius D1 by 0.0000 mm, 0.0000 mm in all."), (none.LargestMm, none.Offset!.Sentence));
+        Assert.Equal((0, "offset-radius(1, 0.0000, 0.0000)"), (none.LargestMm, Stated.As(none.Offset)));
         Assert.Contains("R[#502+[0.0]]", Encoding.ASCII.GetString(OffsetCell.Sent(cell)), StringComparison.Ordinal);
     }
 
@@ -122,10 +119,7 @@ public sealed class OffsetCellTests
         cell.Drop("part_S2.csv", OffsetCell.Grown(-0.04));
         var second = await cell.Until(2, CorrectionState.Failed);
         Assert.Equal(
-            ("offset-step-too-large", "The offset would go from 0.0400 to -0.0400 mm, and the job allows 0.0500 mm in a step: the program "
-                + "would stop at the machine. Revert correction 1 and run what that sends, then approve this one again; or reject "
-                + "this one."),
-            (second.Code, second.Reason!.Sentence));
+            ("offset-step-too-large", "offset-step-too-large(0.0400, -0.0400, 0.0500, 1)"), (second.Code, Stated.As(second.Reason)));
         Assert.Equal(first, OffsetCell.Sent(cell));
 
         // Approved as it is, it fails again; behind the program that takes the first one back, it is sent.
@@ -159,7 +153,7 @@ public sealed class OffsetCellTests
         // The counterpart is too small by this: the tool cut too much.
         cell.Drop("counterpart_S1.csv", OffsetCell.Grown(-0.02));
         var first = await cell.Until(2, CorrectionState.Verified);
-        Assert.Equal("offset of the control: radius D1 by 0.0200 mm, 0.0200 mm in all.", first.Offset!.Sentence);
+        Assert.Equal("offset-radius(1, 0.0200, 0.0200)", Stated.As(first.Offset));
         new CorrectionDecisions(cell.Store).Release(2, "sam", null);
 
         // The tool wears: one piece may be a chip, several of them are the process.

@@ -21,10 +21,7 @@ public sealed class CounterpartVerificationTests
                 report.RootElement.GetProperty("beforeMeasured").GetBoolean()));
         Assert.Contains(
             "counterpart against part", System.Text.Encoding.UTF8.GetString(recorded.Page!.Value.Span), StringComparison.Ordinal);
-        Assert.StartsWith(
-            "A counterpart is measured: this verifies what was sent, and sends nothing. ",
-            recorded.Reason.Sentence,
-            StringComparison.Ordinal);
+        Assert.StartsWith("first-article; ", Stated.As(recorded.Reason), StringComparison.Ordinal);
     }
 
     [Fact]
@@ -45,7 +42,7 @@ public sealed class CounterpartVerificationTests
         File.Delete(folder["counterpart.csv"]);
         var recorded = Recorded(Counterpart() with { Job = job });
         Assert.Null(recorded.Report);
-        Assert.Contains("could not be compared with its part: ", recorded.Reason.Sentence, StringComparison.Ordinal);
+        Assert.Contains("not-comparable(", Stated.As(recorded.Reason), StringComparison.Ordinal);
         Assert.Contains("counterpart.csv", recorded.Reason.Sentence, StringComparison.Ordinal);
     }
 
@@ -55,13 +52,13 @@ public sealed class CounterpartVerificationTests
     {
         var recorded = Recorded(Counterpart() with { Measurement = Samples.File("complex-mating", "part.csv") });
         Assert.Null(recorded.Report);
-        Assert.Contains("could not be compared with its part: ", recorded.Reason.Sentence, StringComparison.Ordinal);
+        Assert.Contains("not-comparable(", Stated.As(recorded.Reason), StringComparison.Ordinal);
         Assert.Contains("part.csv", recorded.Reason.Sentence, StringComparison.Ordinal);
     }
 
     [Fact]
     public void The_record_says_how_many_points_are_outside_their_limits() => Assert.Matches(
-        @"sends nothing\. \d+ of 16 points are outside their limits: .*\.$", Recorded(Counterpart()).Reason.Sentence);
+        @"^first-article; verified-outside\(\d+, 16, .*\)$", Stated.As(Recorded(Counterpart()).Reason));
 
     private static CorrectionRequest Counterpart() =>
         Samples.Part("complex-mating") with

@@ -21,9 +21,12 @@ public sealed class JobEditsTests : PeopleTest
         Assert.Equal(JobEdits.Sha256Of(settings.Jobs[0]), saved);
         Assert.Equal("Edited", InputFile.Job(settings.Jobs[0].File).Name);
         Assert.Equal(draft.Program.Bytes.ToArray(), File.ReadAllBytes(PathOf(Path.Combine("one", "counterpart.nc"))));
-        Assert.StartsWith($"{by.Name} job-edited one theoretical.csv ", Trail[^1], StringComparison.Ordinal);
-        Assert.Contains($", counterpart.nc {draft.Program.Sha256}, ", Trail[^1], StringComparison.Ordinal);
-        Assert.Contains($"job.json {saved}, in place of the job ", Trail[^1], StringComparison.Ordinal);
+        Assert.StartsWith(
+            $"{by.Name} job-edited one job-in-place(job-files(job-file(theoretical.csv, ",
+            Trail[^1],
+            StringComparison.Ordinal);
+        Assert.Contains($"; job-file(counterpart.nc, {draft.Program.Sha256}); ", Trail[^1], StringComparison.Ordinal);
+        Assert.Contains($"; job-file(job.json, {saved})), ", Trail[^1], StringComparison.Ordinal);
     }
 
     [Fact]

@@ -30,8 +30,8 @@ public sealed class PreparedJobTests : PeopleTest
                 .Select(f => Path.GetFileName(f))
                 .Order(StringComparer.Ordinal));
         Assert.Equal(PathOf(Path.Combine("one", "part.csv")), Path.GetFullPath(job.PathOf(job.Part.Measured)));
-        Assert.StartsWith($"{by.Name} job-prepared one/Bracket theoretical.csv ", Trail[^1], StringComparison.Ordinal);
-        Assert.EndsWith($", job.json {JobEdits.Sha256Of(prepared)}", Trail[^1], StringComparison.Ordinal);
+        Assert.StartsWith($"{by.Name} job-prepared one/Bracket job-files(job-file(theoretical.csv, ", Trail[^1], StringComparison.Ordinal);
+        Assert.EndsWith($"; job-file(job.json, {JobEdits.Sha256Of(prepared)}))", Trail[^1], StringComparison.Ordinal);
 
         // The configuration is as it was: the cell runs what it names.
         Assert.Equal([running.File], CellSettingsReader.Read(PathOf("cell.json")).Jobs.Select(j => j.File));
@@ -70,7 +70,7 @@ public sealed class PreparedJobTests : PeopleTest
         edits.PutInUse(prepared, draft, sha256, Anna());
         Assert.Equal("Bracket", InputFile.Job(running.File).Name);
         Assert.StartsWith("Anna job-edited one ", Trail[^1], StringComparison.Ordinal);
-        Assert.EndsWith($"job.json {JobEdits.Sha256Of(running)}, in place of the job {sha256}", Trail[^1], StringComparison.Ordinal);
+        Assert.EndsWith($"; job-file(job.json, {JobEdits.Sha256Of(running)})), {sha256})", Trail[^1], StringComparison.Ordinal);
         Assert.Equal(program, File.ReadAllBytes(PathOf(Path.Combine("one", "counterpart.nc"))));
         var inUse = PathOf(Path.Combine("one", InputFile.Job(running.File).Counterpart.Program));
         Assert.Equal(other.Bytes.ToArray(), File.ReadAllBytes(inUse));

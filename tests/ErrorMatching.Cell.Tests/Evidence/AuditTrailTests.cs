@@ -234,8 +234,8 @@ public sealed class AuditTrailTests : PeopleTest
         evidence.TakeOver("console", "A backup was brought back.");
         var entry = older.AuditEntries(Entries, 10)[^1];
         Assert.Equal(
-            ("console", "trail-set-back", $"A backup was brought back. It had gone to entry 10 with the hash {lost.Hash}."),
-            (entry.Who, entry.What, entry.Basis.Sentence));
+            ("console", "trail-set-back", $"set-back(A backup was brought back., 10, {lost.Hash})"),
+            (entry.Who, entry.What, Stated.As(entry.Basis)));
         Assert.Equal((true, Entries + 1), (evidence.Verify().Holds, evidence.Verify().Entries));
 
         // Once is enough, and what goes on is no gap.

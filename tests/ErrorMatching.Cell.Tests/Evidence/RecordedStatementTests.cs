@@ -49,8 +49,8 @@ public sealed class RecordedStatementTests : PeopleTest
         Anna();
         var approved = Step(Proposed(), CorrectionState.Approved, "cell", Lookalike);
         Assert.Contains(
-            "and names no policy",
-            Assert.Throws<StoreException>(() => Store.Outside.DemandRecorded(approved)).Message,
+            "who-not-by-policy",
+            Stated.As(Assert.Throws<StoreException>(() => Store.Outside.DemandRecorded(approved)).Statement),
             StringComparison.Ordinal);
         Assert.Equal(AuditFaultKind.NotAllowed, Verify().Fault?.Kind);
     }

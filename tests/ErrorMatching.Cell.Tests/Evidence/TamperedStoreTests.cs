@@ -134,7 +134,9 @@ public sealed class TamperedStoreTests : PeopleTest
             + "reason, row_code FROM kept) WHERE id = 5");
         Assert.Equal(before, Store.Find(5));
         Assert.Empty(Store.Tampered());
-        Assert.Contains("is approved in the store", Assert.Throws<StoreException>(() => Store.Outside.DemandRecorded(before)).Message,
+        Assert.StartsWith(
+            "not-sent(state-differs(5, approved, ",
+            Stated.As(Assert.Throws<StoreException>(() => Store.Outside.DemandRecorded(before)).Statement),
             StringComparison.Ordinal);
         Assert.Equal(AuditFaultKind.RowDiffers, Evidence.Verify().Fault?.Kind);
     }
@@ -179,8 +181,10 @@ public sealed class TamperedStoreTests : PeopleTest
                 + $"'{copied.Previous}', '{copied.Hash}')"),
             string.Create(CultureInfo.InvariantCulture, $"UPDATE audit_head SET seq = {copied.Seq}, hash = '{copied.Hash}'"),
             "UPDATE correction SET state = 'approved', version = version + 1 WHERE id = 2");
-        Assert.Contains("audit trail is not what was written",
-            Assert.Throws<StoreException>(() => Store.Outside.DemandRecorded(Store.Find(2)!)).Message, StringComparison.Ordinal);
+        Assert.StartsWith(
+            "not-sent(trail-broken(",
+            Stated.As(Assert.Throws<StoreException>(() => Store.Outside.DemandRecorded(Store.Find(2)!)).Statement),
+            StringComparison.Ordinal);
         Assert.Equal(AuditFaultKind.Unsealed, Evidence.Verify().Fault?.Kind);
     }
 
@@ -246,7 +250,7 @@ public sealed class TamperedStoreTests : PeopleTest
             .Error);
         Assert.Equal(tampered, Store.Find(2));
         Step(tampered, CorrectionState.Rejected, "Ben", "not ours");
-        Assert.Contains("cell tampered correction 2 " + Recorded.CorrectionTampered.With(2), Trail);
+        Assert.Contains("cell tampered correction(2) correction-tampered(2)", Trail);
         Assert.True(Evidence.Verify().Holds);
         Assert.Empty(Store.Tampered());
     }

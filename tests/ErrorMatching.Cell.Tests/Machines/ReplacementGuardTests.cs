@@ -104,7 +104,7 @@ public sealed class ReplacementGuardTests
         var other = ToldState.Of(MachineActivity.Running, "MAIN.MPF");
         Assert.Null(await Guard(new ToldState(() => other)).WhyNotAsync(Program, [], Token));
         var why = await Guard(new ToldState(() => other) { OnlyIdle = true }).WhyNotAsync(Program, [], Token);
-        Assert.Contains("running with the program MAIN.MPF", why?.Sentence, StringComparison.Ordinal);
+        Assert.Matches(@"^machine-busy\(\w+, running, MAIN\.MPF, ", Stated.As(why));
         Assert.Null(await Guard(new ToldState(() => Free) { OnlyIdle = true }).WhyNotAsync(Program, [], Token));
     }
 

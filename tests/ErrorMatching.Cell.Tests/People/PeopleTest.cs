@@ -26,7 +26,7 @@ public abstract class PeopleTest : IDisposable
 
     private protected IReadOnlyList<string> Trail => [
         .. Store.AuditEntries(0, 10_000).Select(
-            e => $"{e.Who} {e.What} {e.Subject} {e.Basis}".Replace("  ", " ", StringComparison.Ordinal).Trim())];
+            e => $"{e.Who} {e.What} {Stated.As(e.Subject)} {Stated.As(e.Basis)}".Replace("  ", " ", StringComparison.Ordinal).Trim())];
 
     public void Dispose()
     {

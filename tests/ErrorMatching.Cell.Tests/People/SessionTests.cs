@@ -28,7 +28,7 @@ public sealed class SessionTests : PeopleTest
         Assert.Equal("Anna", _session.Who?.Name);
         _session.SignOut();
         Assert.Null(_session.Who);
-        Assert.Equal("Anna signed-out by hand", Trail[^1]);
+        Assert.Equal("Anna signed-out by-hand", Trail[^1]);
     }
 
     [Fact]
@@ -121,7 +121,7 @@ public sealed class SessionTests : PeopleTest
         _session.SignIn("Anna", Right);
         _session.SignIn("Ben", Other);
         Assert.Equal("Ben", _session.Who?.Name);
-        Assert.Contains("Anna signed-out by hand", Trail);
+        Assert.Contains("Anna signed-out by-hand", Trail);
         Refused(PeopleError.SignInRefused, () => _session.SignIn("Anna", "wrong"));
         Assert.Null(_session.Who);
     }

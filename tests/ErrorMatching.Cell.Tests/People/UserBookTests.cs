@@ -16,7 +16,7 @@ public sealed class UserBookTests : PeopleTest
         var anna = Users.AddFirst("Anna", Right);
         Assert.Equal(new User("Anna", Role.Administrator, false, Clock.Now, Clock.Now), anna);
         Assert.Equal(anna, Assert.Single(Users.List()));
-        Assert.Equal("console user-added Anna the first administrator, made by who can write the store", Trail[^1]);
+        Assert.Equal("console user-added Anna first-administrator", Trail[^1]);
     }
 
     [Fact]
@@ -41,7 +41,7 @@ public sealed class UserBookTests : PeopleTest
     {
         Users.Add(Anna(), "Ben", role, Other);
         Assert.Equal([("Anna", Role.Administrator), ("Ben", role)], Users.List().Select(u => (u.Name, u.Role)));
-        Assert.Equal($"Anna user-added Ben as {role.ToString().ToLowerInvariant()}", Trail[^1]);
+        Assert.Equal($"Anna user-added Ben as-role({role.ToString().ToLowerInvariant()})", Trail[^1]);
         Assert.Equal(role, Users.SignIn("Ben", Other).Role);
     }
 
@@ -103,7 +103,7 @@ public sealed class UserBookTests : PeopleTest
         Users.SetRole(Anna(), "ben", Role.Operator);
         Refused(PeopleError.NotAllowed, () => Users.Demand(ben, Act.EditJobs));
         Users.Demand(ben, Act.Release);
-        Assert.Equal("Anna role-set Ben to operator", Trail.Last(e => e.Contains("role-set", StringComparison.Ordinal)));
+        Assert.Equal("Anna role-set Ben to-role(operator)", Trail.Last(e => e.Contains("role-set", StringComparison.Ordinal)));
     }
 
     [Fact]

@@ -34,7 +34,7 @@ public sealed class AccumulatingTests
         Assert.Equal(first.ProgramSha256, outlier.BaseSha256);
         Assert.InRange(outlier.SumMm!.Value / first.SumMm.Value, 0.8, 1.2);
         Assert.Contains(
-            feedback.Store.AuditEntries(0, 1000), e => e.Basis.Sentence.Contains("does not fit the 1 before it", StringComparison.Ordinal));
+            feedback.Store.AuditEntries(0, 1000), e => Stated.As(e.Basis).Contains("lot-outlier(1, ", StringComparison.Ordinal));
         new CorrectionDecisions(feedback.Store).Release(4, "olga", null);
         cell.DropText("f_cp_3.csv", NextCounterpart.Of(feedback.Store.Content(outlier.ReportSha256!), 2, 2));
 

@@ -88,7 +88,7 @@ public sealed class BacklogTests
 
         var trouble = Assert.Single(flow.Troubles.Open);
         Assert.Equal(("backlog cmm", "piece-waits"), (trouble.Where, trouble.Code));
-        Assert.Contains("Files at the gauge cmm: 1.", trouble.Message, StringComparison.Ordinal);
+        Assert.Contains(", 10, cmm, 1, ", Stated.As(trouble.Statement), StringComparison.Ordinal);
         await new HeartbeatWorker(flow, null).WorkAsync(CancellationToken.None);
         var status = CellStatus.Of(cell.Settings, cell.Store, _clock);
         Assert.False(status.IsHealthy);

@@ -18,7 +18,7 @@ public sealed class DeliveryWaitTests
         await cell.Until(1, CorrectionState.Approved);
         await RunningCell.Until(() => Status(cell).Slots[0].Delivery is { Correction: 1 });
         var slot = Status(cell).Slots[0];
-        Assert.Contains("m1 is running with the program P1.NC.", slot.Delivery!.Statement.Sentence, StringComparison.Ordinal);
+        Assert.StartsWith("machine-busy(m1, running, P1.NC, ", Stated.As(slot.Delivery!.Statement), StringComparison.Ordinal);
         Assert.Equal(MachineActivity.Running, slot.Report?.State.Activity);
 
         // Waiting is no trouble, and only the machine's own slots wait.
@@ -32,7 +32,7 @@ public sealed class DeliveryWaitTests
         state = Free;
         await cell.Until(1, CorrectionState.Verified);
         await RunningCell.Until(() => Status(cell).Slots[0] is { Delivery: null, Report.State.Activity: MachineActivity.Idle });
-        Assert.Equal("read back from the machine, the same to the last bit", cell.Store.Corrections.StepsOf(1)[^1].Basis.Sentence);
+        Assert.Equal("read-back", Stated.As(cell.Store.Corrections.StepsOf(1)[^1].Basis));
     }
 
     [Fact]
@@ -90,7 +90,8 @@ public sealed class DeliveryWaitTests
         cell.Drop("a_S1.csv", 1);
         await RunningCell.Until(() => Status(cell).Heartbeat?.Troubles is [{ Code: "waits-too-long", Where: "delivery m1/A" }]);
         Assert.False(Status(cell).IsHealthy);
-        Assert.Contains("agent has no value for Execution", Status(cell).Heartbeat!.Troubles[0].Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "state-unavailable(agent, Execution)", Stated.As(Status(cell).Heartbeat!.Troubles[0].Statement), StringComparison.Ordinal);
         await cell.UntilLookedAgain("slot m1/A", "slot m1/A");
         Assert.Single(cell.Store.AuditEntries(0, 1000), e => e.What == "waits-too-long");
         Assert.Equal(CorrectionState.Approved, cell.Store.Find(1)!.State);

@@ -20,7 +20,7 @@ public sealed class HeldProgramTests
         await cell.UntilLookedAgain("slot m1/B");
         var told = Assert.Single(cell.Store.AuditEntries(0, 1000), e => e.What == "changed-at-machine");
         Assert.Equal("slot B of m1", told.Subject!.Sentence);
-        Assert.Contains("P2.NC at m1 is not the program of correction 1 any more", told.Basis.Sentence, StringComparison.Ordinal);
+        Assert.StartsWith("changed-while-held(P2.NC, m1, 1, ", Stated.As(told.Basis), StringComparison.Ordinal);
 
         // What was found is kept; the slot stays taken.
         Assert.Equal(Edited, cell.Store.Content(RunningCell.Hash(Edited)));

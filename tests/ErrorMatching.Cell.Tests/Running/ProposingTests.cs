@@ -23,7 +23,7 @@ public sealed class ProposingTests
         cell.Start();
         await cell.Until(1, CorrectionState.Verified);
         Assert.Contains(
-            ("cell", "policy: automatic within 0.5 mm"), cell.Store.Corrections.StepsOf(1).Select(s => (s.By, s.Basis.Sentence)));
+            ("cell", "policy-within(0.5)"), cell.Store.Corrections.StepsOf(1).Select(s => (s.By, Stated.As(s.Basis))));
     }
 
     // The pair wants a gap along L1, which the compensation closes: its points stay outside their limits.
@@ -42,9 +42,9 @@ public sealed class ProposingTests
         await cell.UntilLookedAgain("approval");
 
         Assert.Equal(CorrectionState.Proposed, cell.Store.Find(1)!.State);
-        Assert.Contains(
-            "Its verdict does not say to cut it: a person decides.",
-            cell.Store.Corrections.StepsOf(1).Single(s => s.To == CorrectionState.Proposed).Basis.Sentence,
+        Assert.StartsWith(
+            "not-to-cut; ",
+            Stated.As(cell.Store.Corrections.StepsOf(1).Single(s => s.To == CorrectionState.Proposed).Basis),
             StringComparison.Ordinal);
     }
 

@@ -22,19 +22,13 @@ public sealed class RecalculationTests
 
         var ended = cell.Store.Find(1)!;
         Assert.Equal((CorrectionState.Superseded, "computed-anew", null), (ended.State, ended.Code, ended.Identity));
-        Assert.Equal(
-            "Its job was changed after it was made: correction 2 computes the measurement anew, with the job as it is now.",
-            ended.Reason!.Sentence);
+        Assert.Equal("computed-anew(2)", Stated.As(ended.Reason));
         Assert.Equal(
             [
-                (
-                    "olga",
-                    "archived",
-                    $"correction 2 file {old.MeasurementSha256}",
-                    "given again in the place of correction 1, to be computed with the job as it is now"),
-                ("olga", "superseded", $"correction 1 program {old.ProgramSha256}", ended.Reason.Sentence + " nose was wrong"),
+                ("olga", "archived", $"file(2, {old.MeasurementSha256})", "given-again(1)"),
+                ("olga", "superseded", $"program(1, {old.ProgramSha256})", "computed-anew(2); nose was wrong"),
             ],
-            cell.Store.AuditEntries(before, 2).Select(e => (e.Who, e.What, e.Subject!.Sentence, e.Basis.Sentence)));
+            cell.Store.AuditEntries(before, 2).Select(e => (e.Who, e.What, Stated.As(e.Subject), Stated.As(e.Basis))));
 
         var anew = await cell.Until(2, CorrectionState.Proposed);
         Assert.Equal((old.Job, old.Serial, old.BaseSha256), (anew.Job, anew.Serial, anew.BaseSha256));

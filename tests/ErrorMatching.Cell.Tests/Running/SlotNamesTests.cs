@@ -64,7 +64,7 @@ public sealed class SlotNamesTests
         cell.Drop("a_S2.csv", 2);
         var failed = await cell.Until(2, CorrectionState.Failed);
         Assert.Equal("program-named-otherwise", failed.Code);
-        Assert.Contains("O0211 at its head, and the program to send is O0777", failed.Reason!.Sentence, StringComparison.Ordinal);
+        Assert.EndsWith(", m1, O0211, O0777)", Stated.As(failed.Reason), StringComparison.Ordinal);
         new CorrectionDecisions(cell.Store).Approve(2, "sam", "meant");
         await cell.Until(2, CorrectionState.Verified);
         Assert.Contains("O0777", Encoding.ASCII.GetString(cell.Machine["m1"].Files[RunningCell.Program]), StringComparison.Ordinal);

@@ -17,12 +17,7 @@ public sealed class SlotOfTwoCellsTests
         second.Drop("a_S2.csv", 2);
         var failed = await second.Until(1, CorrectionState.Failed);
         Assert.Equal("changed-at-machine", failed.Code);
-        Assert.True(failed.Reason!.Is(Recorded.OfOtherCell), failed.Reason.Sentence);
-        Assert.Equal(
-            $"P1.NC at m1 is a corrected program that this cell did not make: another cell sends to this slot, too, or somebody copied it "
-                + $"there. It is kept as {sent.ProgramSha256}. Give the slot to one cell alone; then approve again to replace it, or "
-                + "reject.",
-            failed.Reason.Sentence);
+        Assert.Equal($"of-other-cell(P1.NC, m1, {sent.ProgramSha256})", Stated.As(failed.Reason));
         Assert.Equal(sent.ProgramSha256, RunningCell.Hash(first.Machine["m1"].Files[RunningCell.Program]));
         Assert.Single(first.Machine["m1"].Done, d => d == "rename " + RunningCell.Program);
 

@@ -90,8 +90,7 @@ public sealed class WitnessWorkerTests : IAsyncDisposable
 
         var entry = _store.AuditEntries(1, 10)[^1];
         Assert.Equal(
-            ("sam", "trail-set-back", $"The disk is new. It had gone to entry 8 with the hash {lost.Hash}."),
-            (entry.Who, entry.What, entry.Basis.Sentence));
+            ("sam", "trail-set-back", $"set-back(The disk is new., 8, {lost.Hash})"), (entry.Who, entry.What, Stated.As(entry.Basis)));
         Assert.True(Trail.Verify().Holds);
         Assert.Equal(2, new SecondWitness(_settings.WitnessFile!).Find()!.Seq);
         Assert.False(Trail.TakeOver("sam", "Once more."));

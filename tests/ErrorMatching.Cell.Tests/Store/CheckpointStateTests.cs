@@ -61,7 +61,7 @@ public sealed class CheckpointStateTests() : CheckpointTest(new SqliteKind())
         var approved = store.Step(proposed, CorrectionState.Approved, "eve", "looks right");
         store.Outside.KeepCheckpoint(Stop, 0);
         using var later = NewProcess();
-        Assert.Contains("who was no user then", Refused(later, approved), StringComparison.Ordinal);
+        Assert.Contains("who-was-nobody", Refused(later, approved), StringComparison.Ordinal);
         Assert.Null(later.Outside.WhyWhole);
     }
 
@@ -78,7 +78,7 @@ public sealed class CheckpointStateTests() : CheckpointTest(new SqliteKind())
         var approved = later.Step(proposed, CorrectionState.Approved, "Anna", "looks right");
         later.Outside.DemandRecorded(approved);
         approved = later.Step(later.Step(approved, CorrectionState.Uploading, "cell", "in line"), CorrectionState.Approved, "Ben", "again");
-        Assert.Contains("who was operator then", Refused(later, approved), StringComparison.Ordinal);
+        Assert.Contains("who-was-of-role(operator, ", Refused(later, approved), StringComparison.Ordinal);
         Assert.Null(later.Outside.WhyWhole);
     }
 

@@ -54,7 +54,7 @@ public abstract class CheckpointTest(StoreKind kind) : StoreTest(kind)
     {
         var refusal = Assert.Throws<StoreException>(() => store.Outside.DemandRecorded(correction));
         Assert.Equal(StoreError.Tampered, refusal.Error);
-        return refusal.Message;
+        return Stated.As(refusal.Statement);
     }
 
     private protected void ChangeOldEntry(CellStore store) =>
