@@ -231,7 +231,7 @@ public sealed class DxfHostileTests
 
         var refused = DxfSample.Refused(Encoding.UTF8.GetBytes(text.Append("0\nENDSEC\n0\nEOF\n").ToString()));
         Assert.Equal("too-large", refused.Code);
-        Assert.Contains("more than 200000 curves", refused.Problem, StringComparison.Ordinal);
+        Assert.Contains(" 200000 ", refused.Problem, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -239,7 +239,7 @@ public sealed class DxfHostileTests
     {
         var ellipse = DxfSample.Entity("ELLIPSE", "0", 10, 0, 20, 0, 11, 9e5, 21, 0, 40, 0.5);
         var refused = DxfSample.Of([.. Enumerable.Repeat(ellipse, 100).SelectMany(e => e)]).Refused();
-        Assert.Contains("more than 2000000 points", refused.Problem, StringComparison.Ordinal);
+        Assert.Contains(" 2000000 ", refused.Problem, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -325,7 +325,7 @@ public sealed class StepDrawingTests
 
         var refused = sample.Refused();
         Assert.Equal(code, refused.Code);
-        Assert.Contains("0.06 mm away from its plane at (0, 0, 0)", refused.Problem, StringComparison.Ordinal);
+        Assert.Matches(@"^[^(]*0\.06 mm [^(]*\(0, 0, 0\)", refused.Problem);
     }
 
     [Fact]
@@ -336,8 +336,8 @@ public sealed class StepDrawingTests
         var face = sample.Face(sample.Plane(new(0, 0, 0), new(0, 0, 1)), [loop[..3]]);
         var refused = sample.Refused();
         Assert.Equal("open-loop", refused.Code);
-        Assert.StartsWith($"{face} ADVANCED_FACE: from the end of ", refused.Problem, StringComparison.Ordinal);
-        Assert.Contains("a gap of 10 mm", refused.Problem, StringComparison.Ordinal);
+        Assert.StartsWith($"{face} ADVANCED_FACE: ", refused.Problem, StringComparison.Ordinal);
+        Assert.Contains(" 10 mm", refused.Problem, StringComparison.Ordinal);
         Assert.Equal(StepSample.LineOf(face), refused.Place.Line);
     }
 

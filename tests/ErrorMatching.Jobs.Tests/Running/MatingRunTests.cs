@@ -107,8 +107,7 @@ public sealed class MatingRunTests
         Assert.Equal(
             ("file-unreadable", feedback, 20, 17, "$.counterpart.measured"),
             (item.Code, item.Place.File, item.Place.Line, item.Place.Column, item.Place.Path));
-        Assert.Contains(
-            $"{folder["nope.csv"]}: found no such file; expected a measurement file that exists", item.Message, StringComparison.Ordinal);
+        Assert.StartsWith(folder["nope.csv"] + ": ", item.Message, StringComparison.Ordinal);
         Assert.NotNull(Run(feedback, new() { Counterpart = new(folder["counterpart.csv"]) }));
 
         static MatchedProgram Run(string job, MatingRequest request) =>
