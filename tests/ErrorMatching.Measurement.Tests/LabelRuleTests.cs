@@ -42,7 +42,7 @@ public class LabelRuleTests
     {
         var error = Assert.Throws<InputException>(() => Text.Read(Table).Renamed(LabelRule.Parse("PNT{n}"), ["1", "3"])["3"]);
         Assert.Equal(MeasurementError.MissingPoint, error.Code);
-        Assert.Contains("no point \"PNT3\" among the 3 of the file: \"PNT1\", \"PNT2\", \"3\"", error.Message, StringComparison.Ordinal);
+        Assert.Matches("\"PNT3\" .* 3 .*: \"PNT1\", \"PNT2\", \"3\"", error.Message);
     }
 
     [Theory]
@@ -58,8 +58,7 @@ public class LabelRuleTests
         var lines = string.Concat(Enumerable.Range(1, 8).Select(n => $"PNT{n},1,2\n"));
         var error = Assert.Throws<InputException>(() => Text.Read("point,x_mm,y_mm\n" + lines)["1"]);
         Assert.Equal(MeasurementError.MissingPoint, error.Code);
-        Assert.Contains(
-            "among the 8 of the file: \"PNT1\", \"PNT2\", \"PNT3\", \"PNT4\", ... \"PNT8\"", error.Message, StringComparison.Ordinal);
+        Assert.Matches(" 8 .*: \"PNT1\", \"PNT2\", \"PNT3\", \"PNT4\", ... \"PNT8\"", error.Message);
         Assert.Contains("write \"labels\": \"PNT{n}\" under \"gauge\"", error.Message, StringComparison.Ordinal);
     }
 }

@@ -24,7 +24,7 @@ public class SourceRulesTests
     {
         var error = Assert.Throws<InputException>(() => Rules.Decide(File(name, field, piece)));
         Assert.Equal((MeasurementError.UndecidedSource, name), (error.Code, error.File));
-        Assert.Contains("the column piece matches /^C/", error.Message, StringComparison.Ordinal);
+        Assert.Contains(" piece matches /^C/", error.Message, StringComparison.Ordinal);
     }
 
     [Fact]
