@@ -114,6 +114,21 @@ public sealed class ScreenKeyboardTests
     });
 
     [Fact]
+    public Task What_the_cell_says_meanwhile_leaves_it_open() => Seat.AtAsync(seat =>
+    {
+        Finger(seat, "login-password");
+        seat.See("key-a");
+        seat.RunCell();
+        Finger(seat, "language");
+        seat.User.Settle();
+        Finger(seat, "login-password");
+        Assert.NotNull(Board(seat));
+        Texts.Current.Language = Language.English;
+        seat.User.Settle();
+        Assert.NotNull(Board(seat));
+    });
+
+    [Fact]
     public Task A_station_that_locks_shows_none() => Seat.AtAsync(seat =>
     {
         seat.SignIn(DemoCell.Setter).Tap("nav-history");

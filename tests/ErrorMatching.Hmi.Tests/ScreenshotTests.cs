@@ -22,6 +22,10 @@ public sealed class ScreenshotTests
         seat.WaitFor(2, CorrectionState.Proposed);
         seat.WaitFor(() => seat.Shell.Banner is null && seat.Station.State.Status?.Proposed.Count == 1, "The cell is not seen to run.");
         pictures.Take("login");
+        seat.User.Tap(seat.See("login-password"));
+        seat.See("key-a");
+        pictures.Take("keyboard", isMeasured: false);
+        seat.Tap("key-close");
         seat.SignIn(DemoCell.Setter);
         pictures.Take("overview");
 

@@ -58,7 +58,7 @@ public sealed class PreferenceFiles(string folder)
                 Enum.Parse<TouchSize>(document["targets"].Text),
 
                 // Files of earlier versions do not have it.
-                document.Find("keyboard") is { } keyboard ? Enum.Parse<KeyboardUse>(keyboard.Text) : KeyboardUse.Finger,
+                document.Find("keyboard") is { } keyboard ? Enum.Parse<KeyboardUse>(keyboard.Text) : Preferences.UsualKeyboard,
                 [.. document["folders"].Items.Select(i => i.Text).Where(IsFolder)]);
     }
 

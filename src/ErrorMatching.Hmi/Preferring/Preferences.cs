@@ -7,7 +7,11 @@ namespace ErrorMatching.Hmi;
 /// <param name="Keyboard">When the keyboard on the screen opens.</param>
 /// <param name="Folders">Recently used folders, latest first.</param>
 public sealed record Preferences(
-    Language Language, bool IsDark, TouchSize TouchSize, KeyboardUse Keyboard, IReadOnlyList<string> Folders);
+    Language Language, bool IsDark, TouchSize TouchSize, KeyboardUse Keyboard, IReadOnlyList<string> Folders)
+{
+    /// <summary>When the keyboard on the screen opens if nobody has chosen: Windows opens its own.</summary>
+    public static KeyboardUse UsualKeyboard => OperatingSystem.IsWindows() ? KeyboardUse.Never : KeyboardUse.Finger;
+}
 
 /// <summary>Height of touch targets.</summary>
 public enum TouchSize

@@ -20,6 +20,7 @@ public sealed partial class MainWindow : Window
     private readonly KeyboardKeeper _keyboard;
     private readonly TypingKeeper _typing;
     private ShellViewModel? _shell;
+    private bool _isLocked = true;
 
     /// <summary>A window of 1280 by 800, the smallest size that everything fits into.</summary>
     public MainWindow()
@@ -116,8 +117,9 @@ public sealed partial class MainWindow : Window
     private void OnShell(object? sender, PropertyChangedEventArgs e)
     {
         _typing.Follow();
-        if (_shell!.IsLocked)
+        if (_shell!.IsLocked != _isLocked)
         {
+            _isLocked = !_isLocked;
             _keyboard.Leave();
         }
 

@@ -10,7 +10,7 @@ public sealed class StoredPreferences : Observable, IDisposable
     private string? _user;
     private bool _isDark;
     private TouchSize _touchSize;
-    private KeyboardUse _keyboard;
+    private KeyboardUse _keyboard = Preferences.UsualKeyboard;
     private IReadOnlyList<string> _folders = [];
     private string? _notice;
 
