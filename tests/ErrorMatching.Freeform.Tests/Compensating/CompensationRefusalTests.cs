@@ -86,7 +86,7 @@ public sealed class CompensationRefusalTests
         Assert.Equal("outlying-point", refusal.Code);
         Assert.StartsWith($"Point {bad.Number} ", refusal.Message, StringComparison.Ordinal);
         Assert.Contains("in the mean of all measurements", refusal.Message, StringComparison.Ordinal);
-        Assert.Contains("two.csv is furthest off there", refusal.Message, StringComparison.Ordinal);
+        Assert.Contains(" two.csv ", refusal.Message, StringComparison.Ordinal);
     }
 
     [Theory]
@@ -98,8 +98,8 @@ public sealed class CompensationRefusalTests
         var piece = new MeasuredDesign(PaperDesign.Two);
         var worst = piece.Plan.Points[20];
         var refusal = Assert.Single(piece.Compensate(piece.With((u, v) => u == worst.U && v == worst.V ? error : 0.01)).Refusals);
-        Assert.Contains(
-            $"is {said} mm off along the normal; compensation.limitMm allows 0.2 mm", refusal.Message, StringComparison.Ordinal);
+        Assert.Contains($" {said} mm ", refusal.Message, StringComparison.Ordinal);
+        Assert.Contains(" 0.2 mm", refusal.Message, StringComparison.Ordinal);
     }
 
     // Waves of four points each way: the points lie beside the crests, and the surface through them goes over the limit that they keep.
@@ -157,7 +157,7 @@ public sealed class CompensationRefusalTests
 
         Assert.Equal("limits-lost", refusal.Code);
         Assert.Contains(
-            string.Create(CultureInfo.InvariantCulture, $" lies {gap:0.###} mm inside of the edge"),
+            string.Create(CultureInfo.InvariantCulture, $" {gap:0.###} mm "),
             refusal.Message,
             StringComparison.Ordinal);
         Assert.Contains("measure up to the edges", refusal.Message, StringComparison.Ordinal);

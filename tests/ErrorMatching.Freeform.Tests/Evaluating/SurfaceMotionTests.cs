@@ -20,7 +20,7 @@ public sealed class SurfaceMotionTests
         Assert.InRange(motion.Explains, 0.999, 1);
         Assert.True(motion is { IsSignificant: true, AsksForOrigin: true, MostMm: 0.1 });
         var warning = Assert.Single(result.Warnings, w => w.Code == "check-origin");
-        Assert.Contains("is the origin right?", warning.Message, StringComparison.Ordinal);
+        Assert.Equal("0.1", warning.Values[8]);
     }
 
     // Design one is straight along v: nothing resists a shift along Y, so none is told.

@@ -44,7 +44,7 @@ public sealed class SeamTests
         var file = new IgesText();
         var error = Assert.Throws<InputException>(() => Limited(file, kind, [Arc(file, 20, 90, 90)]));
         Assert.Equal("bad-loop", error.Code);
-        Assert.Contains("passes (0, 20, 15) again from the other side", error.Problem, StringComparison.Ordinal);
+        Assert.Contains(" (0, 20, 15) ", error.Problem, StringComparison.Ordinal);
     }
 
     // The part between two angles, begun with the line at the first one.

@@ -37,7 +37,7 @@ public sealed class SurfaceLotTests
         Assert.Equal(LotEvent.Step, made[7].Lot!.Pieces[5].Event);
         Assert.Contains(
             made[5].Warnings.Concat(made[6].Warnings),
-            w => w.Code == "lot-step" && w.Message.Contains("moved before piece 6", StringComparison.Ordinal));
+            w => w is { Code: "lot-step", Values: ["6", ..] });
     }
 
     [Fact]

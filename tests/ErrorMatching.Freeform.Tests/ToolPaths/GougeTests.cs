@@ -17,7 +17,7 @@ public sealed class GougeTests
 
         Assert.Equal("ball-does-not-fit", result.Refusal?.Code);
         Assert.Contains("v 0", result.Refusal?.Message, StringComparison.Ordinal);
-        Assert.Contains("of at most 4.00 mm", result.Refusal?.Message, StringComparison.Ordinal);
+        Assert.Contains(" 4.00 mm", result.Refusal?.Message, StringComparison.Ordinal);
     }
 
     [Fact]
