@@ -206,7 +206,6 @@ public sealed class RecalculationTests
         await cell.StopAsync();
         var before = cell.Store.ChangeCount();
         Assert.Equal(DecisionException.JobUnchanged, Refusal(cell, 2).Code);
-        Assert.Contains("it would be the same", Refusal(cell, 2).Message, StringComparison.Ordinal);
         Assert.Equal(DecisionException.UnknownCorrection, Refusal(cell, 9).Code);
 
         var theoretical = await File.ReadAllTextAsync(cell.PathOf("job/theoretical.csv"), TestContext.Current.CancellationToken);
@@ -218,7 +217,6 @@ public sealed class RecalculationTests
 
         await File.WriteAllTextAsync(cell.PathOf("job/theoretical.csv"), "nothing", TestContext.Current.CancellationToken);
         Assert.Equal(DecisionException.JobUnusable, Refusal(cell, 2).Code);
-        Assert.Contains("Put that right first", Refusal(cell, 2).Message, StringComparison.Ordinal);
 
         await File.WriteAllTextAsync(cell.PathOf("job/theoretical.csv"), theoretical, TestContext.Current.CancellationToken);
         Change(cell.PathOf("job/theoretical.csv"));
@@ -227,8 +225,7 @@ public sealed class RecalculationTests
         {
             var refusal = Assert.Throws<DecisionException>(() => new Recalculation(other, cell.Store).Recalculate(2, "olga", null));
             Assert.Equal(DecisionException.JobUnusable, refusal.Code);
-            Assert.Contains(
-                "does not have the " + (other.Jobs.Count == 0 ? "job \"a\"" : "gauge \"cmm\""), refusal.Message, StringComparison.Ordinal);
+            Assert.Contains(other.Jobs.Count == 0 ? " job \"a\"" : " gauge \"cmm\"", refusal.Message, StringComparison.Ordinal);
         }
 
         Assert.Equal(before, cell.Store.ChangeCount());
@@ -246,7 +243,7 @@ public sealed class RecalculationTests
         await cell.Until(2, CorrectionState.Proposed);
         var refusal = Refusal(cell, 1);
         Assert.Equal("already-known", refusal.Code);
-        Assert.StartsWith("Correction 2 is made of the same measurement", refusal.Message, StringComparison.Ordinal);
+        Assert.StartsWith("Correction 2 ", refusal.Message, StringComparison.Ordinal);
         Assert.Equal(CorrectionState.Proposed, cell.Store.Find(1)!.State);
     }
 
