@@ -88,7 +88,7 @@ public sealed class CompensatedPathTests
     {
         var refusal = Follow("N10 G41.1 D6 G1 X0\nN20 X10\nN30 Y2\nN40 X20\n").Refusal!;
         Assert.Equal(("N30", 4), (refusal.Place!.Block, refusal.Place.Line));
-        Assert.Contains("radius of 3 mm", refusal.Message, StringComparison.Ordinal);
+        Assert.Contains(" 3 mm", refusal.Message, StringComparison.Ordinal);
         Assert.Contains("too short", refusal.Message, StringComparison.Ordinal);
     }
 
