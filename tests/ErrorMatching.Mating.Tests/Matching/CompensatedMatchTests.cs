@@ -20,7 +20,7 @@ public sealed class CompensatedMatchTests
         // 8.1 - 0.15 mm is less than its diameter.
         var refusal = Floor(8, 0.15).Refusal();
         Assert.Equal((NcRefusalCodes.CompensationGouge, "N60", 8), (refusal.Code, refusal.Place.Block, refusal.Place.Line));
-        Assert.Contains("radius of 4 mm", refusal.Message, StringComparison.Ordinal);
+        Assert.Contains(" 4 mm", refusal.Message, StringComparison.Ordinal);
     }
 
     [Fact]
