@@ -13,6 +13,9 @@ public sealed class JsonSchema
 
     private JsonSchema(SchemaRule root) => _root = root;
 
+    /// <summary>What it says of a whole document.</summary>
+    public SchemaPlace Root => SchemaPlace.Of([_root]);
+
     /// <summary>Parses a schema.</summary>
     /// <param name="bytes">UTF-8 text.</param>
     /// <param name="file">Name for messages.</param>

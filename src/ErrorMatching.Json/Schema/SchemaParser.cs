@@ -57,7 +57,7 @@ internal sealed class SchemaParser(JsonItem document)
 
     private void Apply(SchemaRule rule, JsonMember member)
     {
-        if (member.Name is "$schema" or "$id" or "$comment" or "description" or "examples" or "default")
+        if (member.Name is "$schema" or "$id" or "$comment" or "description" or "examples")
         {
             return;
         }
@@ -79,6 +79,7 @@ internal sealed class SchemaParser(JsonItem document)
         switch (keyword)
         {
             case "title": rule.Title = value.Text; break;
+            case "default": rule.Default = value.Text; break;
             case "$defs": Define(value); break;
             case "$ref": _references.Add((value, rule, value.Text)); break;
             case "type": rule.Types = [.. (value.Kind == JsonItemKind.List ? value.Items : [value]).Select(TypeName)]; break;

@@ -7,6 +7,9 @@ internal sealed class SchemaRule
 {
     public string Title { get; set; } = "";
 
+    /// <summary>A default that is a text or a number; it is not checked.</summary>
+    public string Default { get; set; } = "";
+
     public IReadOnlyList<string> Types { get; set; } = [];
 
     /// <summary>The allowed values of enum or const.</summary>

@@ -15,7 +15,7 @@ public sealed record MatingJob
     /// <summary>The code of a job of another kind than the expected one.</summary>
     public const string OtherKind = "other-kind";
 
-    private static readonly Lazy<JsonSchema> Schema = new(() => JsonSchema.Parse(
+    private static readonly Lazy<JsonSchema> WholeSchema = new(() => JsonSchema.Parse(
         Encoding.UTF8.GetBytes(JobTemplate.Schema), "mating.schema.json"));
 
     private static readonly Lazy<JsonSchema> SchemaWithoutBlocks = new(WithoutBlocks);
@@ -23,6 +23,9 @@ public sealed record MatingJob
     internal MatingJob()
     {
     }
+
+    /// <summary>The schema that jobs are checked against (<see cref="JobTemplate.Schema"/>).</summary>
+    public static JsonSchema Schema => WholeSchema.Value;
 
     /// <summary>The file, as the caller named it.</summary>
     public required string File { get; init; }
@@ -113,7 +116,7 @@ public sealed record MatingJob
     /// <param name="file">File name for messages, and base of relative paths.</param>
     /// <exception cref="InputException">The bytes are not JSON, violate the schema, or the job contradicts itself; the exception lists all
     /// problems.</exception>
-    public static MatingJob Parse(ReadOnlySpan<byte> bytes, string file) => Checked(bytes, file, Schema.Value);
+    public static MatingJob Parse(ReadOnlySpan<byte> bytes, string file) => Checked(bytes, file, Schema);
 
     /// <summary>Reads a job whose features may not name their blocks yet, because these are still being searched for. Do not match with
     /// it.</summary>
