@@ -6,6 +6,8 @@ namespace ErrorMatching.Mating.Tests;
 /// <summary>Each way in which a job can be wrong, with its code and JSON path.</summary>
 public sealed class JobCheckTests
 {
+    private const string Tool = "\"toolDiameterMm\": 6";
+
     private const string Compensation = "\"compensation\": { \"from\": \"part\" }";
 
     [Fact]
@@ -135,6 +137,8 @@ public sealed class JobCheckTests
     [InlineData("[\"1\", \"2\"]", "[\"1\", \"1\", \"2\"]", "duplicate-point", "$.features[0].points[1]")]
     [InlineData("\"5..14\"", "\"14..5\"", "bad-range", "$.features[2].points[0]", "too-few-points", "$.features[2].points")]
     [InlineData("\"name\": \"C1\"", "\"name\": \"C1\", \"degree\": 10", "degree-too-high", "$.features[2].degree")]
+    [InlineData(Tool, Tool + ", \"assume\": { \"100\": 1 }", "bad-variable", "$.counterpart.assume['100']")]
+    [InlineData(Tool, Tool + ", \"assume\": { \"#100\": \"x\" }", "wrong-type", "$.counterpart.assume['#100']")]
     [InlineData("/^N8[0-9]{3}\\\\b/", "/N(/", "bad-pattern", "$.features[2].blocks[0]")]
     [InlineData("/^N8[0-9]{3}\\\\b/", "/N(?=8)/", "bad-pattern", "$.features[2].blocks[0]")]
     [InlineData("[-0.04, 0.06]", "\"chain:rss\"", "chain-missing", "$.features[1].toleranceMm")]
