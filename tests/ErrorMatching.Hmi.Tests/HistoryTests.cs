@@ -171,7 +171,7 @@ public sealed class HistoryTests
             // The next piece is of a work order that its file names, and of a job that was changed.
             seat.SignIn(DemoCell.Setter).Tap("nav-points");
             new SetupSeat(seat).Settle();
-            seat.Shell.Editing.Change("", d => d with { Compensation = d.Compensation with { Gain = "0.5" } });
+            seat.Shell.Editing.Change("", d => d.With("$.compensation.gain", "0.5"));
             new SetupSeat(seat).Settle();
             seat.Save().WaitFor(() => seat.Shell.Editing.Notice is not null, "It is not saved.");
             var (outside, incoming) = (

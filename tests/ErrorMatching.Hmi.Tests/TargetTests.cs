@@ -158,7 +158,13 @@ public sealed class TargetTests
         seat.Shell.Preferences.TouchSize = touch;
 
         // A row of each kind, and what is empty is told too.
-        editing.Change("", d => d with { Chain = [new("cover", "15", "-0.1", "0.1")], Comparisons = [new("a", "angle", "L1, L1")] });
+        editing.Change("", d => d.With("$.toleranceChain[0].name", "cover")
+            .With("$.toleranceChain[0].nominalMm", "15")
+            .With("$.toleranceChain[0].toleranceMm[0]", "-0.1")
+            .With("$.toleranceChain[0].toleranceMm[1]", "0.1").Without("$.verify")
+            .With("$.verify[0].name", "a")
+            .With("$.verify[0].quantity", "angle")
+            .With("$.verify[0].between", "L1, L1"));
         here.Settle();
         editing.Report();
         seat.Tap("nav-" + screen);

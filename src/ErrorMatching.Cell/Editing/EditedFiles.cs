@@ -21,18 +21,18 @@ internal static class EditedFiles
         var files = new List<(string Path, ReadOnlyMemory<byte> Bytes)>();
         if (draft.Program is { } program)
         {
-            if (draft.Counterpart.Program != Path.GetFileName(draft.Counterpart.Program))
+            if (draft[DraftPaths.Program] != Path.GetFileName(draft[DraftPaths.Program]))
             {
                 throw new JobEditException(
                     JobEditException.Wrong,
-                    $"The imported program would be written to {draft.Counterpart.Program}, outside of the job's folder. Import it by "
+                    $"The imported program would be written to {draft[DraftPaths.Program]}, outside of the job's folder. Import it by "
                         + $"its own name.");
             }
 
-            Add(draft.Counterpart.Program, program.Bytes);
+            Add(draft[DraftPaths.Program], program.Bytes);
         }
 
-        Add(draft.TheoreticalFile, MatingDraftFiles.Theoretical(draft));
+        Add(draft[DraftPaths.Theoretical], MatingDraftFiles.Theoretical(draft));
         files.Add((job.File, MatingDraftFiles.Job(draft)));
         return files;
 
@@ -64,31 +64,24 @@ internal static class EditedFiles
 
     /// <inheritdoc cref="JobEdits.WithOwnFiles"/>
     public static MatingDraft WithOwnFiles(CellJobSettings job, MatingDraft draft) =>
-        draft with
-        {
-            TheoreticalFile = FreeName(job, draft.TheoreticalFile, MatingDraftFiles.Theoretical(draft)),
-            Counterpart = draft.Program is { } program
-                ? draft.Counterpart with { Program = FreeName(job, draft.Counterpart.Program, program.Bytes) }
-                : draft.Counterpart,
-        };
+        draft.With(DraftPaths.Theoretical, FreeName(job, draft[DraftPaths.Theoretical], MatingDraftFiles.Theoretical(draft)))
+            .With(
+                DraftPaths.Program,
+                draft.Program is { } program
+                    ? FreeName(job, draft[DraftPaths.Program], program.Bytes)
+                    : draft[DraftPaths.Program]);
 
     /// <summary>Converts a draft from one job's place to another's: the program is included, the job's own files keep their plain names,
     /// and other files are referenced by a relative path.</summary>
     public static MatingDraft Moved(MatingDraft draft, CellJobSettings from, CellJobSettings to)
     {
-        var c = draft.Counterpart;
-        return draft with
-        {
-            TheoreticalFile = Path.GetFileName(draft.TheoreticalFile.Trim()),
-            MeasuredFile = Way(draft.MeasuredFile),
-            Program = draft.Program ?? DraftProgram.Of(ProgramAt(PathOf(from, c.Program.Trim()))),
-            Counterpart = c with
-            {
-                Program = Path.GetFileName(c.Program.Trim()),
-                Dialect = NcDialects.IsFile(c.Dialect.Trim()) ? Way(c.Dialect) : c.Dialect,
-                Measured = Way(c.Measured),
-            },
-        };
+        var (program, dialect) = (draft[DraftPaths.Program].Trim(), draft[DraftPaths.Dialect]);
+        return (draft with { Program = draft.Program ?? DraftProgram.Of(ProgramAt(PathOf(from, program))) })
+            .With(DraftPaths.Theoretical, Path.GetFileName(draft[DraftPaths.Theoretical].Trim()))
+            .With(DraftPaths.Measured, Way(draft[DraftPaths.Measured]))
+            .With(DraftPaths.Program, Path.GetFileName(program))
+            .With(DraftPaths.Dialect, NcDialects.IsFile(dialect.Trim()) ? Way(dialect) : dialect)
+            .With(DraftPaths.CounterpartMeasured, Way(draft[DraftPaths.CounterpartMeasured]));
 
         string Way(string name) => string.IsNullOrWhiteSpace(name) || Path.IsPathRooted(name.Trim()) ? name
             : Path.GetRelativePath(Path.GetDirectoryName(to.File)!, PathOf(from, name.Trim())).Replace('\\', '/');

@@ -265,7 +265,7 @@ public sealed class JobEdits(CellSettings settings, CellStore store, UserBook us
         if (!CellPaths.AreSame(machine.Dialect, dialect))
         {
             yield return new(
-                "$.counterpart.dialect",
+                DraftPaths.Dialect,
                 "other-dialect",
                 edited.Counterpart.Dialect,
                 $"a job for the dialect {edited.Counterpart.Dialect}; {machine.Name} has {machine.Dialect}");
@@ -274,7 +274,7 @@ public sealed class JobEdits(CellSettings settings, CellStore store, UserBook us
         if (StandingFrom(PlaceOf(job)) is { } from && from != edited.Compensation.From)
         {
             yield return new(
-                "$.compensation.from",
+                DraftPaths.From,
                 "from-fixed",
                 "",
                 "the cell decides by it when it starts whose measurements these are; change it in the job's file and start the cell again");

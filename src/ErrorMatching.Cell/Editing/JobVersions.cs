@@ -103,7 +103,7 @@ internal sealed class JobVersions(CellSettings settings, CellStore store)
         CellJobSettings job, MatingDraft draft, IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> files)
     {
         var version = new List<(string Name, byte[] Bytes)>();
-        foreach (var name in new[] { draft.TheoreticalFile, draft.Counterpart.Program })
+        foreach (var name in new[] { draft[DraftPaths.Theoretical], draft[DraftPaths.Program] })
         {
             var path = EditedFiles.PathOf(job, name);
             if (files.FirstOrDefault(f => f.Path == path) is { Path: not null } written)

@@ -22,6 +22,26 @@ internal sealed class ChoiceField(
     private string _shown = "";
     private IReadOnlyList<ChoiceItem>? _items;
 
+    /// <summary>The field of a word at a path of the draft, of those that the job's schema allows. Without one, the first of them
+    /// holds.</summary>
+    /// <param name="editing">The edited job.</param>
+    /// <param name="path">The path.</param>
+    /// <param name="label">Text key of its name.</param>
+    public ChoiceField(JobEditing editing, string path, string label)
+        : this(editing, path, label, MatingDraft.PlaceOf(path).Words)
+    {
+    }
+
+    /// <summary>The field of one of some words at a path of the draft. Without one, the first of them holds.</summary>
+    /// <param name="editing">The edited job.</param>
+    /// <param name="path">The path.</param>
+    /// <param name="label">Text key of its name.</param>
+    /// <param name="words">The words.</param>
+    public ChoiceField(JobEditing editing, string path, string label, IReadOnlyList<string> words)
+        : this(editing, path, label, words, d => d[path] is { Length: > 0 } word ? word : words[0], (d, t) => d.With(path, t))
+    {
+    }
+
     public IReadOnlyList<ChoiceItem> Items => _items ??= [.. words.Select(w => new ChoiceItem(w, Texts.Current[$"{_label}.{w}"]))];
 
     public ChoiceItem? Chosen

@@ -138,7 +138,7 @@ internal sealed class JobSaving
         var isOtherProgram = false;
         if (await _editing.TryAsync(() =>
         {
-            isOtherProgram = IsOtherProgram(Running(place), InputFile.Program(PathOf(job, draft.Counterpart.Program)));
+            isOtherProgram = IsOtherProgram(Running(place), InputFile.Program(PathOf(job, draft[DraftPaths.Program])));
             _edits.PutInUse(job, draft, _replacedSha256, by);
         }))
         {
@@ -215,10 +215,10 @@ internal sealed class JobSaving
     {
         if (draft.Program is not { } imported)
         {
-            return draft.Counterpart.Program != before.Counterpart.Program;
+            return draft[DraftPaths.Program] != before[DraftPaths.Program];
         }
 
-        var file = PathOf(job, before.Counterpart.Program);
+        var file = PathOf(job, before[DraftPaths.Program]);
         return !File.Exists(file) || !InputFile.Program(file).Span.SequenceEqual(imported.Bytes.Span);
     }
 

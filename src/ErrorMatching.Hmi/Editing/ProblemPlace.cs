@@ -26,29 +26,29 @@ internal sealed partial record ProblemPlace(string ScreenKey, int Side)
         IsOfPoints(draft, path) ? new(ScreenKeys.Points, 0) : new(ScreenKeys.System, path switch
         {
             _ when path.Contains('/', StringComparison.Ordinal)
-                || path.StartsWith("$.part", StringComparison.Ordinal)
-                || path.StartsWith("$.otherPoints", StringComparison.Ordinal) =>
+                || path.StartsWith(DraftPaths.Part, StringComparison.Ordinal)
+                || path.StartsWith(DraftPaths.OtherPoints, StringComparison.Ordinal) =>
                 Coordinates,
             _ when path.EndsWith(']')
-                && path.Contains(".points[", StringComparison.Ordinal)
-                && path.StartsWith("$.features", StringComparison.Ordinal) =>
+                && path.Contains($".{FeatureDraft.PointsKey}[", StringComparison.Ordinal)
+                && path.StartsWith(DraftPaths.Features, StringComparison.Ordinal) =>
                 Coordinates,
-            _ when path.Contains(".blocks", StringComparison.Ordinal)
-                || path is MatingDraftCheck.Program or "$.counterpart.dialect" => Blocks,
-            _ when path.StartsWith("$.features", StringComparison.Ordinal)
-                || path.StartsWith("$.toleranceChain", StringComparison.Ordinal) =>
+            _ when path.Contains("." + FeatureDraft.BlocksKey, StringComparison.Ordinal)
+                || path is DraftPaths.Program or DraftPaths.Dialect => Blocks,
+            _ when path.StartsWith(DraftPaths.Features, StringComparison.Ordinal)
+                || path.StartsWith(DraftPaths.Chain, StringComparison.Ordinal) =>
                 Tolerances,
-            _ when path.StartsWith("$.counterpart", StringComparison.Ordinal)
-                || path.StartsWith("$.alignment", StringComparison.Ordinal)
-                || path.StartsWith("$.originCheck", StringComparison.Ordinal)
-                || path.StartsWith("$.compensation", StringComparison.Ordinal)
-                || path.StartsWith("$.decision", StringComparison.Ordinal) => Machine,
+            _ when path.StartsWith(DraftPaths.Counterpart, StringComparison.Ordinal)
+                || path.StartsWith(DraftPaths.Alignment, StringComparison.Ordinal)
+                || path.StartsWith(DraftPaths.OriginCheck, StringComparison.Ordinal)
+                || path.StartsWith(DraftPaths.Compensation, StringComparison.Ordinal)
+                || path.StartsWith(DraftPaths.Decision, StringComparison.Ordinal) => Machine,
             _ => Gauge,
         });
 
     private static bool IsOfPoints(MatingDraft draft, string path)
     {
-        if (path is "$.name" or "$.workOrder" or "$.features" || OfFeature().IsMatch(path))
+        if (path is DraftPaths.Name or DraftPaths.WorkOrder or DraftPaths.Features || OfFeature().IsMatch(path))
         {
             return true;
         }
@@ -60,13 +60,13 @@ internal sealed partial record ProblemPlace(string ScreenKey, int Side)
     }
 
     [GeneratedRegex(
-        @"^\$\.features\[[0-9]+\]\.(name|points)$",
+        @"^\$\.features\[[0-9]+\]\.(" + FeatureDraft.NameKey + "|" + FeatureDraft.PointsKey + ")$",
         RegexOptions.ExplicitCapture | RegexOptions.CultureInvariant,
         Timeout.Infinite)]
     private static partial Regex OfFeature();
 
     [GeneratedRegex(
-        @"^\$\.features\[(?<feature>[0-9]+)\]\.points\[[0-9]+\]$",
+        @"^\$\.features\[(?<feature>[0-9]+)\]\." + FeatureDraft.PointsKey + @"\[[0-9]+\]$",
         RegexOptions.ExplicitCapture | RegexOptions.CultureInvariant,
         Timeout.Infinite)]
     private static partial Regex Flank();

@@ -14,6 +14,15 @@ internal sealed class SwitchField(
 {
     private bool _shown;
 
+    /// <summary>The field of a value at a path of the draft that is off without it.</summary>
+    /// <param name="editing">The edited job.</param>
+    /// <param name="path">The path.</param>
+    /// <param name="label">Text key of its name.</param>
+    public SwitchField(JobEditing editing, string path, string label)
+        : this(editing, path, label, d => d[path] == "true", (d, on) => d.With(path, on ? "true" : ""))
+    {
+    }
+
     public bool IsOn
     {
         get => _shown;

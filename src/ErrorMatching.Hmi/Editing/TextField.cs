@@ -22,6 +22,15 @@ internal sealed class TextField(
     private string _shown = "";
     private string _missing = "";
 
+    /// <summary>The field of the text at a path of the draft.</summary>
+    /// <param name="editing">The edited job.</param>
+    /// <param name="path">The path.</param>
+    /// <param name="label">Text key of its name.</param>
+    public TextField(JobEditing editing, string path, string label)
+        : this(editing, path, label, d => d[path], (d, t) => d.With(path, t))
+    {
+    }
+
     /// <summary>The default value that applies while it is empty; null if there is none.</summary>
     public string? Default { get; init; }
 

@@ -34,10 +34,10 @@ internal static class DraftBlocks
         if (!NcInterpreter.Run(program, dialect).Motions.Any(m => m is { IsCut: true, MovesInPlane: true }))
         {
             yield return new(
-                MatingDraftCheck.Program,
+                DraftPaths.Program,
                 "no-cutting-motion",
                 "",
-                $"{Path.GetFileName(draft.Counterpart.Program)} has no motion that cuts in its plane; expected the NC program of the "
+                $"{Path.GetFileName(draft[DraftPaths.Program])} has no motion that cuts in its plane; expected the NC program of the "
                     + $"counterpart.");
             yield break;
         }
@@ -50,7 +50,7 @@ internal static class DraftBlocks
                 continue;
             }
 
-            var field = DraftPaths.Feature(feature, "blocks");
+            var field = DraftPaths.Feature(feature, FeatureDraft.BlocksKey);
             if (!found.IsUsable)
             {
                 yield return draft.Features[feature].BlockList.Select(b => Turned(

@@ -25,7 +25,7 @@ internal static class DraftDoubts
             {
                 var found = string.Join(", ", ways);
                 yield return new(
-                    DraftPaths.Feature(i, "blocks"),
+                    DraftPaths.Feature(i, FeatureDraft.BlocksKey),
                     "blocks-lead",
                     found,
                     $"{found}: no key point of {match.Maps[i].Feature.Name} lies there. Is it the lead-in or lead-out?");

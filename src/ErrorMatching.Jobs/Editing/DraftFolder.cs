@@ -2,7 +2,6 @@ using System.Diagnostics.CodeAnalysis;
 using System.Text.Json;
 using System.Text.Json.Serialization;
 using ErrorMatching.Json;
-using ErrorMatching.Mating;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Jobs;
@@ -51,7 +50,7 @@ public sealed class DraftFolder(string folder)
             }
             catch (JsonException e)
             {
-                throw new IOException("It holds no unsaved changes: " + e.Message, e);
+                throw new IOException("It holds no unsaved changes of this version: " + e.Message, e);
             }
         });
     }
@@ -115,22 +114,8 @@ public sealed record StoredDraft
     public required MatingDraft Draft { get; init; }
 }
 
-/// <summary>The format of stored drafts, made while the program is compiled: kinds are words, and required values must not be
-/// null.</summary>
-[JsonSourceGenerationOptions(
-    UseStringEnumConverter = true, RespectNullableAnnotations = true, Converters = [typeof(DraftJson.KindConverter)])]
+/// <summary>The format of stored drafts, made while the program is compiled: required values must not be null.</summary>
+[JsonSourceGenerationOptions(RespectNullableAnnotations = true)]
 [JsonSerializable(typeof(StoredDraft))]
 [SuppressMessage("ApiDesign", "RS0030", Justification = "The generated code names a type without a culture.")]
-internal sealed partial class DraftJson : JsonSerializerContext
-{
-    internal sealed class KindConverter : JsonConverter<FeatureKind>
-    {
-        public override FeatureKind Read(ref Utf8JsonReader reader, Type typeToConvert, JsonSerializerOptions options) =>
-            reader.TokenType == JsonTokenType.String && FeatureKinds.Find(reader.GetString()!) is { } kind
-                ? kind
-                : throw new JsonException("A feature has no kind that there is.");
-
-        public override void Write(Utf8JsonWriter writer, FeatureKind value, JsonSerializerOptions options) =>
-            writer.WriteStringValue(value.Word);
-    }
-}
+internal sealed partial class DraftJson : JsonSerializerContext;

@@ -3,6 +3,11 @@ namespace ErrorMatching.Jobs;
 /// <summary>Lists entered in one field.</summary>
 internal static class DraftList
 {
+    /// <summary>The items of a list of the job.</summary>
+    /// <param name="key">The key of the list.</param>
+    /// <param name="text">The text as typed.</param>
+    public static IReadOnlyList<string> Items(string key, string text) => key == FeatureDraft.BlocksKey ? Blocks(text) : Names(text);
+
     /// <summary>Block selectors separated by commas or spaces; a regular expression between slashes may contain both.</summary>
     public static IReadOnlyList<string> Blocks(string text)
     {

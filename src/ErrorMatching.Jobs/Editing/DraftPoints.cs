@@ -37,12 +37,12 @@ internal static class DraftPoints
         if (job is not null)
         {
             var count = problems.Count;
-            Require(file, draft.Alignment.Kind == "datum" ? draft.Alignment.Origin : "", "$.alignment.origin", problems);
-            Require(file, draft.Alignment.Kind == "datum" ? draft.Alignment.Direction : "", "$.alignment.direction", problems);
-            Require(file, draft.OriginPoint, "$.originCheck.point", problems);
+            Require(file, job.Alignment.Origin, DraftPaths.DatumOrigin, problems);
+            Require(file, job.Alignment.Direction, DraftPaths.DatumDirection, problems);
+            Require(file, job.OriginCheck?.Point, DraftPaths.OriginPoint, problems);
             if (problems.Count == count)
             {
-                Require(file, job.KeyPoints, "$.part.theoretical", problems);
+                Require(file, job.KeyPoints, DraftPaths.Theoretical, problems);
             }
         }
 
@@ -68,7 +68,7 @@ internal static class DraftPoints
         {
             // A problem between rows, such as a duplicate label.
             problems.Add(new(
-                whole.Place.Line is { } line and >= 2 && line - 2 < labels.Length ? labels[line - 2] : "$.part.theoretical",
+                whole.Place.Line is { } line and >= 2 && line - 2 < labels.Length ? labels[line - 2] : DraftPaths.Theoretical,
                 whole.Code,
                 whole.Refusals[0].Found,
                 whole.Problem));
@@ -91,8 +91,8 @@ internal static class DraftPoints
         }
     }
 
-    private static void Require(MeasurementFile file, string label, string field, List<DraftProblem> problems) =>
-        Require(file, string.IsNullOrWhiteSpace(label) ? [] : [label.Trim()], field, problems);
+    private static void Require(MeasurementFile file, string? label, string field, List<DraftProblem> problems) =>
+        Require(file, label is null ? [] : [label], field, problems);
 
     private static void Require(MeasurementFile file, IEnumerable<string> labels, string field, List<DraftProblem> problems)
     {

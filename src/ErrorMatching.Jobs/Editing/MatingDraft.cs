@@ -1,37 +1,31 @@
+using System.Globalization;
 using System.Text.Json;
+using System.Text.Json.Nodes;
 using System.Text.Json.Serialization;
+using System.Text.RegularExpressions;
+using ErrorMatching.Json;
+using ErrorMatching.Mating;
 
 namespace ErrorMatching.Jobs;
 
-/// <summary>A mating job while it is edited: every field is the text as typed, right or wrong. Immutable; an edit creates a new
-/// draft.</summary>
-/// <remarks><see cref="MatingDraftCheck"/> checks it with the readers of the job's files; <see cref="MatingDraftFiles"/> writes and reads
-/// these files.</remarks>
-public sealed record MatingDraft
+/// <summary>A mating job while it is edited: the job's document, with every field the text as typed, right or wrong. Immutable; an edit
+/// creates a new draft. Keys that nobody edits stay as they are.</summary>
+/// <remarks>Fields are named by the paths of the job, such as <c>$.gauge.uncertaintyMm</c> (<see cref="DraftPaths"/>). Key points have a
+/// file of their own, so they are beside the document. <see cref="MatingDraftCheck"/> checks a draft with the readers of the job's files;
+/// <see cref="MatingDraftFiles"/> writes and reads these files.</remarks>
+public sealed partial record MatingDraft
 {
-    /// <summary>The job's name in reports: the workpiece.</summary>
-    public string Name { get; init; } = "";
+    /// <summary>The key of the features.</summary>
+    internal const string FeaturesKey = "features";
 
-    /// <summary>The shop's order number; empty for none.</summary>
-    public string WorkOrder { get; init; } = "";
+    private static readonly SchemaPlace Place = MatingJob.Schema.Root;
 
-    /// <summary>File of the theoretical points, relative to the job.</summary>
-    public string TheoreticalFile { get; init; } = "theoretical.csv";
-
-    /// <summary>Default file of the measured part, relative to the job.</summary>
-    public string MeasuredFile { get; init; } = "part.csv";
-
-    /// <summary>The gauge.</summary>
-    public GaugeDraft Gauge { get; init; } = new();
-
-    /// <summary>The alignment of measured points.</summary>
-    public AlignmentDraft Alignment { get; init; } = new();
-
-    /// <summary>Label of the point whose measured position must match its design; empty for none.</summary>
-    public string OriginPoint { get; init; } = "";
-
-    /// <summary>Its allowed distance, mm.</summary>
-    public string OriginLimit { get; init; } = "";
+    /// <summary>All keys of the job but those of its features.</summary>
+    [JsonRequired]
+    public DraftDocument Document { get; init; } = DraftDocument.Empty
+        .With(Place, DraftPaths.Theoretical, "theoretical.csv")
+        .With(Place, DraftPaths.Measured, "part.csv")
+        .With(Place, DraftPaths.Format, "points");
 
     /// <summary>The boundary in the order of cutting.</summary>
     public IReadOnlyList<FeatureDraft> Features { get; init; } = [];
@@ -39,27 +33,18 @@ public sealed record MatingDraft
     /// <summary>Theoretical points without a feature.</summary>
     public IReadOnlyList<PointDraft> OtherPoints { get; init; } = [];
 
-    /// <summary>The piece to be cut.</summary>
-    public CounterpartDraft Counterpart { get; init; } = new();
+    /// <summary>The text at a path: as typed; the texts of a list with commas between them; an object as JSON. Empty if there is
+    /// none.</summary>
+    /// <param name="path">The path.</param>
+    public string this[string path] => InFeature(path) is var (feature, key) ? Features[feature][key] : Document[path];
 
-    /// <summary>How deviations are compensated.</summary>
-    public CompensationDraft Compensation { get; init; } = new();
-
-    /// <summary>How points are accepted near their limits.</summary>
-    public DecisionDraft Decision { get; init; } = new();
-
-    /// <summary>The tolerance chain.</summary>
-    public IReadOnlyList<ChainLinkDraft> Chain { get; init; } = [];
-
-    /// <summary>Comparisons in addition to those that every feature has.</summary>
-    public IReadOnlyList<ComparisonDraft> Comparisons { get; init; } = [];
-
-    /// <summary>The rules that distinguish the part's measurements from the counterpart's, as in the job; empty for none. Preserved but
-    /// not editable.</summary>
-    public string RecognitionJson { get; init; } = "";
-
-    /// <summary>The schema reference for editors, as in the job; empty for none.</summary>
-    public string SchemaUri { get; init; } = "";
+    /// <summary>The job's name in reports: the workpiece.</summary>
+    [JsonIgnore]
+    public string Name
+    {
+        get => this[DraftPaths.Name];
+        init => Document = Document.With(Place, DraftPaths.Name, value);
+    }
 
     /// <summary>An imported program that replaces the job's; null to keep the job's own.</summary>
     public DraftProgram? Program { get; init; }
@@ -75,15 +60,53 @@ public sealed record MatingDraft
     [JsonIgnore]
     internal int NextLabel => Points.Select(p => PointLabel.NumberOf(p.Label)).DefaultIfEmpty().Max() + 1;
 
-    /// <summary>False for a draft from an external file with a wrong number of lists, a missing key, or a null entry in a list.</summary>
+    /// <summary>False for a draft from an external file with a wrong feature, or a null entry in a list.</summary>
     [JsonIgnore]
-    internal bool IsWhole =>
-        Features.All(
-            f => f is not null
-                && f.Flanks.Count == f.Kind.LeastPoints.Count
-                && f.Kind.Keys.All(k => f.Keys.ContainsKey(k.Name))
-                && f.Flanks.All(k => k is not null && !k.Contains(null!)))
-        && !OtherPoints.Contains(null!) && !Chain.Contains(null!) && !Comparisons.Contains(null!) && !Gauge.Contributions.Contains(null!);
+    internal bool IsWhole => Features.All(f => f is { IsWhole: true }) && !OtherPoints.Contains(null!);
+
+    /// <summary>The word at a path; without one, the first that the schema allows, which then holds.</summary>
+    /// <param name="path">The path of a value for which the schema lists words.</param>
+    public string Word(string path) => this[path] is { Length: > 0 } word ? word : PlaceOf(path).Words[0];
+
+    /// <summary>What the schema says of the value at a path.</summary>
+    /// <param name="path">The path.</param>
+    public static SchemaPlace PlaceOf(string path) => DraftDocument.PlaceOf(Place, path);
+
+    /// <summary>The draft with another text at a path. An empty text takes the key away.</summary>
+    /// <param name="path">The path.</param>
+    /// <param name="text">The text as typed.</param>
+    public MatingDraft With(string path, string text)
+    {
+        ArgumentNullException.ThrowIfNull(text);
+        return InFeature(path) is var (feature, key)
+            ? WithFeature(feature, f => f.With(key, text)) : this with { Document = Document.With(Place, path, text) };
+    }
+
+    /// <summary>The draft without what it has at a path.</summary>
+    /// <param name="path">The path; not one of a feature.</param>
+    public MatingDraft Without(string path) => With(path, "");
+
+    /// <summary>The draft with what another one has at some paths, or without them.</summary>
+    /// <param name="from">The other draft.</param>
+    /// <param name="paths">The paths; not of features.</param>
+    public MatingDraft With(MatingDraft from, params IEnumerable<string> paths)
+    {
+        ArgumentNullException.ThrowIfNull(from);
+        return this with { Document = paths.Aggregate(Document, (to, path) => to.With(Place, path, from.Document)) };
+    }
+
+    /// <summary>The number of items of the list at a path; 0 if there is none.</summary>
+    /// <param name="path">The path; not one of a feature.</param>
+    public int Count(string path) => Document.Count(path);
+
+    /// <summary>The draft with one more item without any text at the end of a list.</summary>
+    /// <param name="list">The path of the list; not one of a feature.</param>
+    public MatingDraft WithItem(string list) => this with { Document = Document.WithItem(Place, list) };
+
+    /// <summary>The draft without an item of a list, and without the list if it was the last.</summary>
+    /// <param name="list">The path of the list; not one of a feature.</param>
+    /// <param name="index">Index of the item, from 0.</param>
+    public MatingDraft WithoutItem(string list, int index) => this with { Document = Document.WithoutItem(Place, list, index) };
 
     /// <summary>The draft as JSON, without the bytes of an imported program.</summary>
     public byte[] ToJson() => JsonSerializer.SerializeToUtf8Bytes(this, DraftJson.Default.MatingDraft);
@@ -97,16 +120,15 @@ public sealed record MatingDraft
 
     /// <summary>An empty draft in this job's place. Settings of the place (files, dialect, format, rules) are kept. The measured
     /// counterpart is not, because it belongs to the previous piece.</summary>
-    public MatingDraft Emptied() => new()
-    {
-        TheoreticalFile = TheoreticalFile,
-        MeasuredFile = MeasuredFile,
-        Gauge = new() { Format = Gauge.Format, FormatJson = Gauge.FormatJson },
-        Counterpart = new() { Dialect = Counterpart.Dialect },
-        RecognitionJson = RecognitionJson,
-        SchemaUri = SchemaUri,
-        IsBegunAnew = true,
-    };
+    public MatingDraft Emptied() =>
+        new MatingDraft { IsBegunAnew = true }.With(
+            this,
+            DraftPaths.Schema,
+            DraftPaths.Theoretical,
+            DraftPaths.Measured,
+            DraftPaths.Format,
+            DraftPaths.Dialect,
+            DraftPaths.Recognition);
 
     /// <summary>The draft with a given number of points in a flank. New points get unused numbers; surplus points are removed from the
     /// end.</summary>
@@ -123,11 +145,7 @@ public sealed record MatingDraft
     }
 
     /// <summary>The draft with the first feature's limits, or their source, for all features.</summary>
-    public MatingDraft WithSameLimits() => this with
-    {
-        Features = [
-            .. Features.Select(f => f with { Tolerance = Features[0].Tolerance, Lower = Features[0].Lower, Upper = Features[0].Upper })]
-    };
+    public MatingDraft WithSameLimits() => this with { Features = [.. Features.Select(f => f.WithLimitsOf(Features[0]))] };
 
     /// <summary>The draft with coordinates and labels from rows; values that a row lacks stay.</summary>
     /// <param name="rowOf">The row of a point, given its index among all points and the point; null for none.</param>
@@ -153,49 +171,46 @@ public sealed record MatingDraft
         ArgumentNullException.ThrowIfNull(change);
         return this with { Features = Features.Replaced(feature, change(Features[feature])) };
     }
+
+    /// <summary>A draft of a job's document, with its points from their own file.</summary>
+    /// <param name="root">The job.</param>
+    /// <param name="points">The points.</param>
+    internal static MatingDraft Read(JsonItem root, IReadOnlyList<PointDraft> points)
+    {
+        var byLabel = points.ToDictionary(p => p.Label, StringComparer.Ordinal);
+        var document = (JsonObject)JsonNode.Parse(root.ToJson())!;
+        document[FeaturesKey] = new JsonArray();
+        FeatureDraft[] features = [
+            .. root[FeaturesKey].Items.Select(f => FeatureDraft.Read(f, l => byLabel.GetValueOrDefault(l) ?? new PointDraft(l)))];
+        var used = features.SelectMany(f => f.Points).Select(p => p.Label).ToHashSet(StringComparer.Ordinal);
+        return new()
+        {
+            Document = new(document),
+            Features = features,
+            OtherPoints = [.. points.Where(p => !used.Contains(p.Label))],
+        };
+    }
+
+    /// <summary>The job's document.</summary>
+    internal JsonObject Write()
+    {
+        var job = Document.Copy();
+        DraftDocument.Put(job, Place, FeaturesKey, new JsonArray([.. Features.Select(f => f.Write())]));
+        DraftDocument.Finish(job, Place);
+        return job;
+    }
+
+    private static (int Feature, string Key)? InFeature(string path) =>
+        OfFeature().Match(path) is { Success: true } match
+            ? (int.Parse(match.Groups["feature"].Value, CultureInfo.InvariantCulture), match.Groups["key"].Value)
+            : null;
+
+    [GeneratedRegex(
+        @"^\$\." + FeaturesKey + @"\[(?<feature>[0-9]{1,9})\]\.(?<key>.+)$",
+        RegexOptions.CultureInvariant | RegexOptions.ExplicitCapture,
+        Timeout.Infinite)]
+    private static partial Regex OfFeature();
 }
-
-/// <summary>The alignment of measured points, as typed.</summary>
-/// <param name="Kind"><c>none</c>, <c>datum</c> or <c>best-fit</c>.</param>
-/// <param name="Origin">Label of the datum's origin.</param>
-/// <param name="Direction">Label of the point that gives the datum's direction.</param>
-/// <param name="LockX">True if a best fit must not shift along the first axis.</param>
-/// <param name="LockY">True if a best fit must not shift along the second axis.</param>
-/// <param name="LockRotation">True if a best fit must not rotate.</param>
-public sealed record AlignmentDraft(
-    string Kind = "none", string Origin = "", string Direction = "", bool LockX = false, bool LockY = false, bool LockRotation = false);
-
-/// <summary>How deviations are compensated, as typed. An empty field means the job's default.</summary>
-/// <param name="From"><c>part</c> or <c>counterpart</c>.</param>
-/// <param name="Gain">Fraction of a deviation to compensate.</param>
-/// <param name="Amount"><c>whole</c> or <c>excess</c>.</param>
-/// <param name="Along"><c>normal</c> or <c>vector</c>.</param>
-/// <param name="Limit">A larger deviation stops the job, mm.</param>
-public sealed record CompensationDraft(
-    string From = "part", string Gain = "", string Amount = "whole", string Along = "normal", string Limit = "");
-
-/// <summary>How points are accepted near their limits, as typed. An empty field means the job's default.</summary>
-/// <param name="Rule"><c>simple</c> or <c>guard-band</c>.</param>
-/// <param name="Risk">Largest risk at an acceptance limit, %; of guard bands only.</param>
-public sealed record DecisionDraft(string Rule = DecisionDraft.Simple, string Risk = "")
-{
-    /// <summary>The rule without guard bands, which is the default.</summary>
-    public const string Simple = "simple";
-}
-
-/// <summary>A comparison in addition to those that every feature has, as typed.</summary>
-/// <param name="Name">Its name.</param>
-/// <param name="Quantity"><c>angle</c>, <c>deviation</c> or <c>deviation-x</c>.</param>
-/// <param name="Of">Two elements of an angle, or point labels, separated by commas; ranges are allowed.</param>
-public sealed record ComparisonDraft(string Name = "", string Quantity = "angle", string Of = "");
-
-/// <summary>A dimension of the tolerance chain, as typed.</summary>
-/// <param name="Name">Its name.</param>
-/// <param name="Nominal">Its nominal value, mm.</param>
-/// <param name="Lower">Its lower limit, mm.</param>
-/// <param name="Upper">Its upper limit, mm.</param>
-/// <param name="Sign"><c>1</c> if a larger dimension lengthens the chain, <c>-1</c> if it shortens it.</param>
-public sealed record ChainLinkDraft(string Name = "", string Nominal = "", string Lower = "", string Upper = "", string Sign = "1");
 
 /// <summary>Copies of immutable lists with one item changed.</summary>
 public static class DraftLists

@@ -30,8 +30,8 @@ public static class MatingDraftBlocks
             .. BlockProposal.Propose(
                 path,
                 sought,
-                DraftNumber.Value(draft.Counterpart.ToolDiameter),
-                DraftNumber.Value(draft.Counterpart.Map) ?? JobCounterpart.DefaultMapMm)
+                DraftNumber.Value(draft[DraftPaths.ToolDiameter]),
+                DraftNumber.Value(draft[DraftPaths.Map]) ?? JobCounterpart.DefaultMapMm)
             .Where(p => draft.Features[p.Feature].BlockList.Count == 0)];
     }
 
@@ -47,7 +47,7 @@ public static class MatingDraftBlocks
         ArgumentNullException.ThrowIfNull(draft);
         ArgumentNullException.ThrowIfNull(chosen);
         ArgumentNullException.ThrowIfNull(program);
-        var (sha256, stated) = (DraftProgram.Of(program.Bytes).Sha256, draft.Counterpart.ProgramSha256);
+        var (sha256, stated) = (DraftProgram.Of(program.Bytes).Sha256, draft[DraftPaths.ProgramSha256]);
         var before = stated.Length == 0 || IsSame(stated, sha256) ? draft : WithoutLines(draft);
 
         // Nobody said whose lines those are that stay.
@@ -57,13 +57,8 @@ public static class MatingDraftBlocks
         {
             Blocks = string.Join(", ", isMore ? [.. f.BlockList, .. c.Blocks] : c.Blocks),
         }));
-        return after with
-        {
-            Counterpart = after.Counterpart with
-            {
-                ProgramSha256 = isUnknown ? "" : after.Features.Any(HasLines) ? sha256 : IsSame(stated, sha256) ? stated : "",
-            },
-        };
+        return after.With(
+            DraftPaths.ProgramSha256, isUnknown ? "" : after.Features.Any(HasLines) ? sha256 : IsSame(stated, sha256) ? stated : "");
     }
 
     /// <summary>The draft with another program. Lines of the one before would mean other blocks, and are taken away.</summary>
@@ -74,15 +69,11 @@ public static class MatingDraftBlocks
     {
         ArgumentNullException.ThrowIfNull(draft);
         ArgumentNullException.ThrowIfNull(program);
-        var stated = draft.Counterpart.ProgramSha256;
-        var isFirst = stated.Length == 0 && draft.Program is null && draft.Counterpart.Program.Length == 0;
+        var stated = draft[DraftPaths.ProgramSha256];
+        var isFirst = stated.Length == 0 && draft.Program is null && draft[DraftPaths.Program].Length == 0;
         var isSame = IsSame(stated.Length > 0 ? stated : draft.Program?.Sha256 ?? "", program.Sha256);
         draft = isFirst || isSame ? draft : WithoutLines(draft);
-        return draft with
-        {
-            Program = program,
-            Counterpart = draft.Counterpart with { Program = name, ProgramSha256 = isSame ? stated : "" },
-        };
+        return (draft with { Program = program }).With(DraftPaths.Program, name).With(DraftPaths.ProgramSha256, isSame ? stated : "");
     }
 
     private static bool IsSame(string stated, string sha256) => string.Equals(stated, sha256, StringComparison.OrdinalIgnoreCase);

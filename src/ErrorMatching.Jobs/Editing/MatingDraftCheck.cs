@@ -1,4 +1,3 @@
-using System.Globalization;
 using ErrorMatching.Geometry;
 using ErrorMatching.Mating;
 using ErrorMatching.Nc;
@@ -11,11 +10,6 @@ namespace ErrorMatching.Jobs;
 /// designed.</summary>
 public static class MatingDraftCheck
 {
-    /// <summary>Field of problems with the program itself.</summary>
-    public const string Program = "$.counterpart.program";
-
-    private const string Dialect = "$.counterpart.dialect";
-
     /// <summary>Checks a draft. Slow with a long program, so do not call it on the UI thread.</summary>
     /// <param name="draft">The draft.</param>
     /// <param name="file">The job's file, for relative paths; it need not exist.</param>
@@ -90,7 +84,7 @@ public static class MatingDraftCheck
     public static ReadOnlyMemory<byte> ProgramOf(MatingDraft draft, string file)
     {
         ArgumentNullException.ThrowIfNull(draft);
-        return draft.Program?.Bytes ?? InputFile.Program(Beside(file, draft.Counterpart.Program));
+        return draft.Program?.Bytes ?? InputFile.Program(Beside(file, draft[DraftPaths.Program]));
     }
 
     /// <summary>The dialect of a draft that may have other problems.</summary>
@@ -101,10 +95,12 @@ public static class MatingDraftCheck
     public static NcDialect DialectOf(MatingDraft draft, string file)
     {
         ArgumentNullException.ThrowIfNull(draft);
-        var name = draft.Counterpart.Dialect;
-        var assumed = draft.Counterpart.Assume.Split(';').Select(AssumedValues.Read).OfType<KeyValuePair<string, double>>();
+        var name = draft[DraftPaths.Dialect];
+        var assumed = draft.Document.Parts(DraftPaths.Assumed)
+            .Select(v => AssumedValues.Read($"{v.Name}={v.Text}"))
+            .OfType<KeyValuePair<string, double>>();
         return InputFile.Dialect(NcDialects.IsFile(name) ? Beside(file, name) : name)
-            .With(BlockSkips.Of(draft.Counterpart.BlockSkip))
+            .With(BlockSkips.Of(draft[DraftPaths.BlockSkip]))
             .With(AssumedValues.Of(assumed));
     }
 
@@ -120,7 +116,7 @@ public static class MatingDraftCheck
         }
         catch (InputException e)
         {
-            problems.AddRange(e.Refusals.Select(i => At(Dialect, i)));
+            problems.AddRange(e.Refusals.Select(i => At(DraftPaths.Dialect, i)));
             return null;
         }
     }
@@ -134,7 +130,7 @@ public static class MatingDraftCheck
         }
         catch (InputException e)
         {
-            problems.AddRange(e.Refusals.Select(i => At(Program, i)));
+            problems.AddRange(e.Refusals.Select(i => At(DraftPaths.Program, i)));
         }
     }
 
@@ -153,19 +149,19 @@ public static class MatingDraftCheck
         }
         catch (InputException e)
         {
-            problems.Add(new(e.File is null ? Program : "$.part.theoretical", e.Code, e.Refusals[0].Found, e.Problem));
+            problems.Add(new(e.File is null ? DraftPaths.Program : DraftPaths.Theoretical, e.Code, e.Refusals[0].Found, e.Problem));
         }
         catch (GeometryException e)
         {
-            problems.Add(At("$.features", InputRefusals.Of(e, input.Theoretical.File).Refusals[0]));
+            problems.Add(At(DraftPaths.Features, InputRefusals.Of(e, input.Theoretical.File).Refusals[0]));
         }
     }
 
     // Report a missing key at the field that would write it.
     private static string FieldOf(Refusal problem) => problem.Code switch
     {
-        "stylus-diameter-missing" => "$.gauge.stylusDiameterMm",
-        "measured-missing" => "$.counterpart.measured",
+        "stylus-diameter-missing" => DraftPaths.StylusDiameter,
+        "measured-missing" => DraftPaths.CounterpartMeasured,
         _ => problem.Place.Path ?? "$",
     };
 
@@ -173,10 +169,10 @@ public static class MatingDraftCheck
     {
         var feature = IndexOf(draft, refusal);
         return feature >= 0
-            ? DraftPaths.Feature(feature, "blocks")
+            ? DraftPaths.Feature(feature, FeatureDraft.BlocksKey)
             : refusal.Code == "alignment-needs-one-plane"
-            ? "$.alignment.kind"
-            : Program;
+            ? DraftPaths.AlignmentKind
+            : DraftPaths.Program;
     }
 
     private static int IndexOf(MatingDraft draft, Refusal refusal) =>
@@ -221,14 +217,13 @@ internal static class DraftLimits
     public static IEnumerable<DraftProblem> Reversed(MatingDraft draft)
     {
         var features = draft.Features.Select(
-            (f, i) => (Field: DraftPaths.Feature(i, "toleranceMm[0]"), f.Lower, f.Upper, IsUsed: f.Tolerance == FeatureDraft.Stated));
-        var chain = draft.Chain.Select(
-            (l, i) => (
-                Field: string.Create(CultureInfo.InvariantCulture, $"$.toleranceChain[{i}].toleranceMm[0]"),
-                l.Lower,
-                l.Upper,
-                IsUsed: true));
-        return features.Concat(chain).Where(b => b.IsUsed && DraftNumber.Value(b.Lower) > DraftNumber.Value(b.Upper))
+            (_, i) => (Lower: DraftPaths.Feature(i, FeatureDraft.LowerKey), Upper: DraftPaths.Feature(i, FeatureDraft.UpperKey)));
+        var chain = Enumerable.Range(0, draft.Count(DraftPaths.Chain)).Select(
+            i => (
+                Lower: DraftPaths.Item(DraftPaths.Chain, i, FeatureDraft.LowerKey),
+                Upper: DraftPaths.Item(DraftPaths.Chain, i, FeatureDraft.UpperKey)));
+        return features.Concat(chain).Select(b => (Field: b.Lower, Lower: draft[b.Lower], Upper: draft[b.Upper]))
+            .Where(b => DraftNumber.Value(b.Lower) > DraftNumber.Value(b.Upper))
             .Select(b => new DraftProblem(
                 b.Field,
                 ReversedTolerance,
@@ -253,6 +248,6 @@ internal static class DraftMissing
     {
         IsMissing = problem.Found == NoText
             || Codes.Contains(problem.Code)
-            || (problem.Field == MatingDraftCheck.Program && string.IsNullOrWhiteSpace(draft.Counterpart.Program)),
+            || (problem.Field == DraftPaths.Program && string.IsNullOrWhiteSpace(draft[DraftPaths.Program])),
     };
 }

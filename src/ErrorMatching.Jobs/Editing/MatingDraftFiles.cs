@@ -9,8 +9,14 @@ namespace ErrorMatching.Jobs;
 /// <summary>Writes drafts as the files of a job, and reads them back without loss.</summary>
 public static class MatingDraftFiles
 {
+    private static readonly string[] Columns = ["point", "x_mm", "y_mm", "z_mm"];
+
     /// <summary>The job's file.</summary>
-    public static byte[] Job(MatingDraft draft) => new DraftWriter(draft).Job();
+    public static byte[] Job(MatingDraft draft)
+    {
+        ArgumentNullException.ThrowIfNull(draft);
+        return DraftWriter.Job(draft);
+    }
 
     /// <summary>The theoretical points' file: <c>point,x_mm,y_mm</c>, and <c>z_mm</c> if a point has one.</summary>
     public static byte[] Theoretical(MatingDraft draft)
@@ -23,7 +29,7 @@ public static class MatingDraftFiles
     /// <param name="file">The job's file.</param>
     /// <exception cref="InputException">A file cannot be opened. The job cannot be used. The theoretical points cannot be
     /// used.</exception>
-    /// <exception cref="DraftException">The job contains something that a draft cannot represent and would lose.</exception>
+    /// <exception cref="DraftException">The theoretical points have columns that a draft cannot represent and would lose.</exception>
     public static MatingDraft Open(string file)
     {
         var bytes = InputFile.Open(file, p => JsonInput.Load(p));
@@ -36,14 +42,14 @@ public static class MatingDraftFiles
     /// <param name="file">Its name.</param>
     /// <param name="theoretical">The theoretical points' file.</param>
     /// <exception cref="InputException">The theoretical points cannot be used.</exception>
-    /// <exception cref="DraftException">The job contains something that a draft cannot represent and would lose.</exception>
+    /// <exception cref="DraftException">The theoretical points have columns that a draft cannot represent and would lose.</exception>
     public static MatingDraft Read(ReadOnlySpan<byte> bytes, string file, ReadOnlyMemory<byte> theoretical)
     {
         var end = theoretical.Span.IndexOfAny((byte)'\r', (byte)'\n');
         var header = Encoding.UTF8.GetString(theoretical.Span[..(end < 0 ? theoretical.Length : end)]).TrimStart('\uFEFF');
         var root = JsonInput.Read(bytes, file);
-        return new DraftReader(
-            root, file, MeasurementReader.Read(theoretical, root["part"]["theoretical"].Text, MeasurementFormat.Points), header).Read();
+        var points = MeasurementReader.Read(theoretical, root["part"]["theoretical"].Text, MeasurementFormat.Points);
+        return MatingDraft.Read(root, PointsOf(points, header, file));
     }
 
     /// <summary>True if the job's file has comments, which a draft does not preserve.</summary>
@@ -74,6 +80,17 @@ public static class MatingDraftFiles
         }
 
         return Encoding.UTF8.GetBytes(text.ToString());
+    }
+
+    private static PointDraft[] PointsOf(MeasurementFile theoretical, string header, string file)
+    {
+        var (x, y, z) = (theoretical.ColumnTexts("x_mm"), theoretical.ColumnTexts("y_mm"), theoretical.ColumnTexts("z_mm"));
+        return x is not null
+            && y is not null
+            && x.Count == theoretical.Points.Count
+            && header.Split(',').All(c => Columns.Contains(c.Trim(), StringComparer.OrdinalIgnoreCase))
+            ? [.. theoretical.Points.Select((p, i) => new PointDraft(p.Label, x[i].Trim(), y[i].Trim(), z?[i].Trim() ?? ""))]
+            : throw new DraftException(file, DraftPaths.Theoretical, $"a file with other columns than {string.Join(", ", Columns)}");
     }
 
     // Text that is not a number stays as typed; the reader reports it.

@@ -19,26 +19,29 @@ public static class MatingDraftPlaces
         ArgumentNullException.ThrowIfNull(draft);
         var jobs = draft.Features.Select(f => f.Plane)
             .Distinct(StringComparer.Ordinal)
-            .ToDictionary(p => p, p => JobOf(draft.Counterpart, p), StringComparer.Ordinal);
+            .ToDictionary(p => p, p => JobOf(draft, p), StringComparer.Ordinal);
         return [
             .. draft.Features.SelectMany(f => f.Points.Select(
                 p => jobs[f.Plane] is { } job ? PlaceOf(f, p, job) : null)).OfType<DraftPlace>()];
     }
 
     // Uses the draft's frame and plane in an otherwise valid job, so that other missing input does not hide the points.
-    private static MatingJob? JobOf(CounterpartDraft counterpart, string plane)
+    private static MatingJob? JobOf(MatingDraft draft, string plane)
     {
-        var draft = new MatingDraft
+        var placed = new MatingDraft
         {
             Name = "places",
-            Gauge = new() { Uncertainty = "0.001" },
             Features = [
                 FeatureDraft.New(FeatureKinds.All[0], "line", new()) with { Blocks = "N1", Lower = "0", Upper = "0", Plane = plane }],
-            Counterpart = counterpart with { Program = "places.nc", Dialect = "fanuc", ToolDiameter = "1", Measured = "", Map = "" },
         };
+        placed = placed.With(draft, DraftPaths.Frame)
+            .With(DraftPaths.Uncertainty, "0.001")
+            .With(DraftPaths.Program, "places.nc")
+            .With(DraftPaths.Dialect, "fanuc")
+            .With(DraftPaths.ToolDiameter, "1");
         try
         {
-            return MatingJob.Parse(MatingDraftFiles.Job(draft), "job.json");
+            return MatingJob.Parse(MatingDraftFiles.Job(placed), "job.json");
         }
         catch (InputException)
         {

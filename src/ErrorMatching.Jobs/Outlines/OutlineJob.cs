@@ -195,29 +195,21 @@ public sealed record OutlineJob
     {
         ArgumentNullException.ThrowIfNull(draft);
         var made = MatingDraftFiles.Read(Job.Span, Request.Job, Theoretical);
-        return draft with
+        var taken = draft with
         {
             Name = draft.Name.Trim().Length > 0 ? draft.Name : Path.GetFileNameWithoutExtension(Request.Drawing),
             Features = [.. made.Features.Select(f => f with { Lower = "", Upper = "" })],
             OtherPoints = [],
-            Alignment = new(),
-            OriginPoint = "",
-            OriginLimit = "",
-            Comparisons = [],
-            Gauge = draft.Gauge.LabelsJson.TrimStart().StartsWith('[') ? draft.Gauge with { LabelsJson = "" } : draft.Gauge,
-            Counterpart = draft.Counterpart with
-            {
-                Program = Path.GetFileName(Request.Program),
-                Measured = "",
-                ProgramSha256 = made.Counterpart.ProgramSha256,
-                ToolDiameter = made.Counterpart.ToolDiameter,
-                Mirror = made.Counterpart.Mirror,
-                Rotate = made.Counterpart.Rotate,
-                TranslateX = made.Counterpart.TranslateX,
-                TranslateY = made.Counterpart.TranslateY,
-            },
             Program = DraftProgram.Of(Program),
         };
+
+        // What names points that are gone goes with them: alignment, origin, points left out, comparisons, the order of a log's points.
+        string[] gone = [
+            DraftPaths.Alignment, DraftPaths.OriginCheck, DraftPaths.LeftOut, DraftPaths.Comparisons, DraftPaths.CounterpartMeasured,
+            .. draft.Count(DraftPaths.GaugeLabels) > 0 ? [DraftPaths.GaugeLabels] : Array.Empty<string>()];
+        return gone.Aggregate(taken, (to, path) => to.Without(path))
+            .With(DraftPaths.Program, Path.GetFileName(Request.Program))
+            .With(made, DraftPaths.ProgramSha256, DraftPaths.ToolDiameter, DraftPaths.Frame);
     }
 
     private static Outcome<Opened> Open(OutlineRequest request, CancellationToken cancellation)
@@ -552,13 +544,13 @@ public sealed record OutlineRequest(string Job, string Drawing, string Program, 
     {
         ArgumentNullException.ThrowIfNull(draft);
         var folder = Path.GetDirectoryName(Path.GetFullPath(job))!;
-        var (counterpart, dialect) = (draft.Counterpart, draft.Counterpart.Dialect);
+        var dialect = draft[DraftPaths.Dialect];
         var isEmpty = draft is { IsBegunAnew: true, Program: null, Features.Count: 0 };
         return new(job, drawing, program, NcDialects.IsFile(dialect) ? Path.Combine(folder, dialect) : dialect)
         {
-            ToolDiameterMm = isEmpty && DraftNumber.Value(counterpart.ToolDiameter) is > 0 and var mm ? mm : null,
+            ToolDiameterMm = isEmpty && DraftNumber.Value(draft[DraftPaths.ToolDiameter]) is > 0 and var mm ? mm : null,
             Control = MatingDraftCheck.DialectOf(draft, job),
-            Libraries = [.. counterpart.LibraryList.Select(l => Path.Combine(folder, l))],
+            Libraries = [.. draft.Document.Parts(DraftPaths.Libraries).Select(l => Path.Combine(folder, l.Text))],
         };
     }
 }

@@ -40,10 +40,10 @@ public sealed class JobEditsTests : PeopleTest
         Refused(JobEditException.ChangedMeanwhile, () => edits.Save(job, draft, new('0', 64), by));
         Refused(
             JobEditException.Wrong,
-            () => edits.Save(job, draft with { Counterpart = draft.Counterpart with { Dialect = "fanuc" } }, sha256, by));
+            () => edits.Save(job, draft.With("$.counterpart.dialect", "fanuc"), sha256, by));
         Refused(
             JobEditException.Wrong,
-            () => edits.Save(job, draft with { Compensation = draft.Compensation with { From = "counterpart" } }, sha256, by));
+            () => edits.Save(job, draft.With("$.compensation.from", "counterpart"), sha256, by));
         Assert.Equal(was, File.ReadAllBytes(job.File));
         Assert.DoesNotContain(Trail, e => e.Contains("job-edited", StringComparison.Ordinal));
     }

@@ -152,7 +152,7 @@ public sealed class PreparedJobTests : PeopleTest
         var (running, before) = (settings.Jobs[0], Contents());
         var prepared = edits.Prepare(running, Anew(running), by);
         var draft = MatingDraftFiles.Open(prepared.File);
-        var outside = draft with { TheoreticalFile = "../../theoretical.csv", OtherPoints = [new("O", "1", "0")] };
+        var outside = (draft with { OtherPoints = [new("O", "1", "0")] }).With("$.part.theoretical", "../../theoretical.csv");
         Refused(JobEditException.Shared, () => edits.Save(prepared, outside, JobEdits.Sha256Of(prepared), by));
 
         // Nor is a folder that became a link meanwhile followed.
@@ -187,7 +187,7 @@ public sealed class PreparedJobTests : PeopleTest
         // The program is written after the points, and its name is one that no file can have.
         var program = DraftProgram.Of(File.ReadAllBytes(PathOf(Path.Combine("one", "counterpart.nc"))));
         var draft = Anew(running) with { Name = "Second", Program = program };
-        var unwritable = draft with { Counterpart = draft.Counterpart with { Program = new string('x', 300) } };
+        var unwritable = draft.With("$.counterpart.program", new string('x', 300));
         var before = Contents(SearchOption.AllDirectories);
         Assert.Throws<OutputException>(() => edits.Prepare(running, unwritable, by));
         Assert.Equal(before, Contents(SearchOption.AllDirectories));

@@ -57,7 +57,7 @@ public sealed class DrawnJobTests
         Assert.Equal(Blocks, seat.Draft.Features.Select(f => f.Blocks));
         Assert.All(seat.Draft.Features, f => Assert.Equal(("-0.02", "+0.02"), (f.Lower, f.Upper)));
         Assert.Equal(("outline", "8", "dovetail.nc"), (
-            seat.Draft.Name, seat.Draft.Counterpart.ToolDiameter, seat.Draft.Counterpart.Program));
+            seat.Draft.Name, seat.Draft["$.counterpart.toolDiameterMm"], seat.Draft["$.counterpart.program"]));
         Assert.Equal("", string.Join('\n', seat.Shell.Editing.Problems));
         Tap("setup-save");
         seat.Seat.WaitFor(() => seat.Shell.Editing.Notice is not null && seat.Shell.Editing.IsBeside, "It is not saved.");
@@ -109,7 +109,7 @@ public sealed class DrawnJobTests
 
         // The tool of the job that is replaced, 6 mm, is not the one of this program.
         seat.Seat.Tap("points-from-drawing").Tap("entry-outline.dxf").Tap("entry-dovetail.nc");
-        Assert.Equal("6", before.Counterpart.ToolDiameter);
+        Assert.Equal("6", before["$.counterpart.toolDiameterMm"]);
         var choice = Choice(seat);
         seat.Seat.Tap(choice.Layers.Single(l => l.Name == "OUTLINE").Id);
         seat.Seat.WaitFor(() => choice.Picture.Outline.Count > 0, "The outline is not shown.");
@@ -120,7 +120,7 @@ public sealed class DrawnJobTests
         seat.Seat.Tap("outline-take");
         seat.Settle();
         Assert.Equal(Blocks, seat.Draft.Features.Select(f => f.Blocks));
-        Assert.Equal("8", seat.Draft.Counterpart.ToolDiameter);
+        Assert.Equal("8", seat.Draft["$.counterpart.toolDiameterMm"]);
         seat.Seat.Tap("setup-undo");
         Assert.True(seat.Draft.IsSame(before));
     });
@@ -166,7 +166,7 @@ public sealed class DrawnJobTests
         var before = seat.Draft;
         seat.Seat.User.Press(Key.Z, RawInputModifiers.Control);
         Assert.Same(before, seat.Draft);
-        seat.Shell.Editing.Change("", d => d with { WorkOrder = "other" });
+        seat.Shell.Editing.Change("", d => d.With("$.workOrder", "other"));
         seat.Seat.Tap("outline-take");
         Assert.Equal("The job was changed in the meantime. Choose the drawing again.", seat.TextOf("outline-refused"));
         Assert.Equal(before.Features, seat.Draft.Features);

@@ -50,8 +50,8 @@ public sealed class KindTests
             foreach (var key in feature.Kind.Keys)
             {
                 var text = key.Words.Count > 0 ? key.Words[^1] : "1";
-                seat.Shell.Editing.Change("", d => d.WithFeature(index, f => f.WithKey(key.Name, text)));
-                Assert.Equal(text, seat.Draft.Features[index].Key(key.Name));
+                seat.Shell.Editing.Change("", d => d.WithFeature(index, f => f.With(key.Name, text)));
+                Assert.Equal(text, seat.Draft.Features[index][key.Name]);
             }
         }
     });

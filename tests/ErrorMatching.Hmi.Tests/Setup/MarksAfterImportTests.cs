@@ -12,7 +12,7 @@ public sealed class MarksAfterImportTests
     [Fact]
     public Task Features_stay_marked_after_two_imports_and_after_discarding_them() => SetupSeat.AtAsync(ScreenKeys.System, seat =>
     {
-        var program = Path.Combine(Path.GetDirectoryName(seat.JobFile)!, seat.Draft.Counterpart.Program);
+        var program = Path.Combine(Path.GetDirectoryName(seat.JobFile)!, seat.Draft["$.counterpart.program"]);
         using var made = new TemporaryFolder();
         var other = Path.Combine(made.Path, Path.GetFileName(program));
         File.WriteAllText(other, File.ReadAllText(program).Replace("%", "%\n(ANOTHER)", StringComparison.Ordinal));

@@ -57,7 +57,7 @@ public sealed class NewJobTests
         InAllSizes(seat);
 
         // It is opened, changed and saved as any other, and both of its versions are kept.
-        editing.Change("", d => d with { WorkOrder = "WO-9" });
+        editing.Change("", d => d.With("$.workOrder", "WO-9"));
         seat.Settle();
         Assert.Equal("Not saved: complex-mating still runs at vmc1, slot A.", seat.TextOf("setup-state"));
         Assert.False(here.See("setup-put-in-use").IsEffectivelyEnabled);
@@ -69,9 +69,9 @@ public sealed class NewJobTests
         Assert.Equal("Complex mating", editing.Draft.Name);
         editing.Choose(Beside(editing));
         seat.Settle();
-        Assert.Equal(("Bracket", "WO-9"), (editing.Draft.Name, editing.Draft.WorkOrder));
+        Assert.Equal(("Bracket", "WO-9"), (editing.Draft.Name, editing.Draft["$.workOrder"]));
         here.Tap("side-gauge").Tap(editing.Versions[1].AutomationId);
-        here.WaitFor(() => editing.Draft.WorkOrder != "WO-9", "The first version is not brought back.");
+        here.WaitFor(() => editing.Draft["$.workOrder"] != "WO-9", "The first version is not brought back.");
         seat.Settle();
         Assert.Contains(" · Bracket · ", editing.Versions[1].Text, StringComparison.Ordinal);
         Assert.Equal(before, Contents(folder));
@@ -123,7 +123,7 @@ public sealed class NewJobTests
         Assert.NotNull(here.Find("setup-compute-anew"));
 
         // From now on it is the one that is used, and edited as any other.
-        seat.Shell.Editing.Change("", d => d with { WorkOrder = "WO-9" });
+        seat.Shell.Editing.Change("", d => d.With("$.workOrder", "WO-9"));
         seat.Settle();
         here.User.Wait(TimeSpan.FromMilliseconds(600));
         here.Save().WaitFor(() => seat.Shell.Editing.Notice is not null, "An ordinary change is not saved.");
@@ -173,7 +173,7 @@ public sealed class NewJobTests
         Assert.True(kept!.Draft.IsBegunAnew);
         seat.Shell.Editing.Undo.Execute(null);
         seat.Shell.Editing.Undo.Execute(null);
-        seat.Shell.Editing.Change("", d => d with { WorkOrder = "WO-9" });
+        seat.Shell.Editing.Change("", d => d.With("$.workOrder", "WO-9"));
         seat.Settle();
         seat.Seat.Save().WaitFor(() => seat.Shell.Editing.Notice is not null, "What was taken back is asked about.");
         Assert.Equal("Complex mating", InputFile.Job(seat.JobFile).Name);
@@ -185,7 +185,7 @@ public sealed class NewJobTests
     {
         var (here, editing, folder) = (seat.Seat, seat.Shell.Editing, Path.GetDirectoryName(seat.JobFile)!);
         var before = MatingDraftFiles.Open(seat.JobFile);
-        var (points, program) = (Path.Combine(folder, before.TheoreticalFile), Path.Combine(folder, before.Counterpart.Program));
+        var (points, program) = (Path.Combine(folder, before["$.part.theoretical"]), Path.Combine(folder, before["$.counterpart.program"]));
         var (pointsWere, programWas) = (File.ReadAllBytes(points), File.ReadAllBytes(program));
         SetUp(seat);
         var imported = DraftProgram.Of(programWas.Append((byte)'\n').ToArray());

@@ -35,7 +35,7 @@ public sealed class PointSetupTests
     {
         seat.Seat.See("nav-points").Focus();
         seat.Seat.User.Type("WO-4711").Press(Key.Enter);
-        Assert.Equal("WO-4711", seat.Draft.WorkOrder);
+        Assert.Equal("WO-4711", seat.Draft["$.workOrder"]);
     });
 
     [Fact]
@@ -149,11 +149,11 @@ public sealed class PointSetupTests
     public Task What_is_typed_into_one_field_is_one_step() => At(seat =>
     {
         seat.Seat.Type("edit-name", "Housing").Type("edit-workOrder", "WO-7");
-        Assert.Equal(("Housing", "WO-7"), (seat.Draft.Name, seat.Draft.WorkOrder));
+        Assert.Equal(("Housing", "WO-7"), (seat.Draft.Name, seat.Draft["$.workOrder"]));
         seat.Seat.Tap("setup-undo");
-        Assert.Equal(("Housing", "WO-2021-02"), (seat.Draft.Name, seat.Draft.WorkOrder));
+        Assert.Equal(("Housing", "WO-2021-02"), (seat.Draft.Name, seat.Draft["$.workOrder"]));
         seat.Seat.User.Press(Key.Z, RawInputModifiers.Control);
-        Assert.Equal(("Complex mating", "WO-2021-02"), (seat.Draft.Name, seat.Draft.WorkOrder));
+        Assert.Equal(("Complex mating", "WO-2021-02"), (seat.Draft.Name, seat.Draft["$.workOrder"]));
         Assert.Equal("Complex mating", seat.Setup.Workpiece.Text);
         seat.Seat.User.Press(Key.Y, RawInputModifiers.Control);
         Assert.Equal("Housing", seat.Draft.Name);

@@ -16,7 +16,13 @@ public sealed class SetupCountTests
         var save = seat.Seat.See("setup-save");
         seat.Shell.Editing.Change(
             "",
-            d => d with { Chain = [new("cover", "15", "0.02", "x", "-1")], Counterpart = d.Counterpart with { Rotate = "x" }, Name = "" });
+            d => (d with { Name = "" })
+                .With("$.toleranceChain[0].name", "cover")
+                .With("$.toleranceChain[0].nominalMm", "15")
+                .With("$.toleranceChain[0].toleranceMm[0]", "0.02")
+                .With("$.toleranceChain[0].toleranceMm[1]", "x")
+                .With("$.toleranceChain[0].sign", "-1")
+                .With("$.counterpart.frame.rotateDeg", "x"));
         seat.Settle();
         var place = seat.Shell.Editing.Problems.Select(p => ProblemPlace.Of(seat.Draft, p.Field)).ToArray();
         Assert.Contains(place, p => p.ScreenKey == ScreenKeys.Points);
@@ -67,7 +73,7 @@ public sealed class SetupCountTests
         Assert.Equal((true, Color("Accent"), Color("Accent")), (count.IsEffectivelyEnabled, Border(), Words()));
 
         // What is wrong stays red.
-        seat.Shell.Editing.Change("", d => d with { Counterpart = d.Counterpart with { Rotate = "x" } });
+        seat.Shell.Editing.Change("", d => d.With("$.counterpart.frame.rotateDeg", "x"));
         seat.Settle();
         Assert.Equal(
             Color("Alarm"),
@@ -147,7 +153,7 @@ public sealed class SetupCountTests
         seat.Shell.Editing.Change(
             "",
             d => (
-                d with { Gauge = d.Gauge with { Uncertainty = "x" }, Counterpart = d.Counterpart with { ToolDiameter = "", Rotate = "y" } })
+                d.With("$.gauge.uncertaintyMm", "x").With("$.counterpart.toolDiameterMm", "").With("$.counterpart.frame.rotateDeg", "y"))
                 .WithFeature(1, f => f with { Lower = "z" }));
         seat.Settle();
         foreach (var (id, side, text) in new[]
@@ -221,7 +227,7 @@ public sealed class SetupCountTests
         seat.Seat.WaitFor(() => seat.Seat.Find("edit-features[2].name") is { IsFocused: true }, "The name has no focus.");
         Assert.Equal(ScreenKeys.Points, seat.Shell.Chosen!.Screen.Key);
         seat.Seat.Type("edit-features[2].name", "C1");
-        seat.Shell.Editing.Change("", d => d with { Counterpart = d.Counterpart with { Rotate = "x" } });
+        seat.Shell.Editing.Change("", d => d.With("$.counterpart.frame.rotateDeg", "x"));
         seat.Settle();
         seat.Seat.Tap("setup-problems");
         seat.Seat.WaitFor(() => seat.Seat.Find("edit-counterpart.frame.rotateDeg") is { IsFocused: true }, "The rotation has no focus.");

@@ -32,7 +32,7 @@ public sealed class SetupHelpTests
     [Fact]
     public Task What_holds_while_a_field_is_empty_is_said_in_the_language_of_the_screen() => SetupSeat.AtAsync(ScreenKeys.System, seat =>
     {
-        seat.Shell.Editing.Change("", d => d.WithFeature(2, f => f.WithKey("degree", "").WithKey("ridge", "")));
+        seat.Shell.Editing.Change("", d => d.WithFeature(2, f => f.With("degree", "").With("ridge", "")));
         seat.Settle();
         var (degree, tolerances) = ("edit-features[2].degree", "side-tolerances");
         Assert.Equal("empty: automatic", ((TextBox)seat.Seat.Tap(tolerances).See(degree)).PlaceholderText);

@@ -13,7 +13,7 @@ public sealed class SetupLayoutTests
     [Fact]
     public Task A_check_box_stands_beside_its_words_at_the_height_of_the_field_beside_it() => SetupSeat.AtAsync(ScreenKeys.System, seat =>
     {
-        seat.Shell.Editing.Change("", d => d with { Alignment = d.Alignment with { Kind = "best-fit" } });
+        seat.Shell.Editing.Change("", d => d.With("$.alignment.kind", "best-fit"));
         seat.Settle().Seat.Tap("side-machine");
         var check = seat.Seat.See("edit-alignment.lockX");
         var (words, box) = (
@@ -99,7 +99,7 @@ public sealed class SetupLayoutTests
         }
 
         var before = Top();
-        seat.Shell.Editing.Change("", d => d with { WorkOrder = "WO-7" });
+        seat.Shell.Editing.Change("", d => d.With("$.workOrder", "WO-7"));
         seat.Settle().Seat.See("setup-state");
         Assert.Equal(before, Top());
         seat.System.Paste(Table(seat));

@@ -17,7 +17,7 @@ public sealed class SetupWordsTests
         seat.Seat.Tap("side-machine").Type("edit-compensation.gain", "0.5");
 
         // The same program again, byte for byte: it is no other one.
-        var program = Path.Combine(Path.GetDirectoryName(seat.JobFile)!, seat.Draft.Counterpart.Program);
+        var program = Path.Combine(Path.GetDirectoryName(seat.JobFile)!, seat.Draft["$.counterpart.program"]);
         Import(seat, program);
         Save(seat);
         Assert.Equal("Saved: the next part uses it.", seat.TextOf("setup-notice"));

@@ -67,11 +67,11 @@ public sealed class SystemSetupTests
         seat.Seat.Tap("setup-anew");
         seat.Shell.Editing.Change(
             "",
-            d => d with
-            {
-                Features = [FeatureDraft.New(ErrorMatching.Mating.LineKind.Instance, "L1", d)],
-                Chain = [new("cover", "15", "0.1", "-0.1")]
-            });
+            d => (d with { Features = [FeatureDraft.New(ErrorMatching.Mating.LineKind.Instance, "L1", d)] })
+                .With("$.toleranceChain[0].name", "cover")
+                .With("$.toleranceChain[0].nominalMm", "15")
+                .With("$.toleranceChain[0].toleranceMm[0]", "0.1")
+                .With("$.toleranceChain[0].toleranceMm[1]", "-0.1"));
         seat.Seat.Tap("side-tolerances").Type("edit-features[0].toleranceMm[0]", "0.05").Type("edit-features[0].toleranceMm[1]", "-0.05");
         seat.Settle();
         Assert.Equal("The lower limit is above the upper one.", seat.TextOf("problem-features[0].toleranceMm[0]"));
@@ -254,10 +254,10 @@ public sealed class SystemSetupTests
             seat.System.Picture!.Points[0] is var p ? (p.Feature, p.Label, p.At) : default);
         seat.Shell.Editing.Change(
             "",
-            d => d.WithFeature(0, f => f with { Blocks = "" }) with { Name = "", Counterpart = d.Counterpart with { TranslateX = "100" } });
+            d => (d.WithFeature(0, f => f with { Blocks = "" }) with { Name = "" }).With("$.counterpart.frame.translateMm[0]", "100"));
         seat.Settle();
         seat.Seat.WaitFor(() => seat.System.Picture.Points[0].At == new Geometry.Point2(68.05, 76.008), "They are not moved.");
-        seat.Shell.Editing.Change("", d => d with { Counterpart = d.Counterpart with { Rotate = "x" } });
+        seat.Shell.Editing.Change("", d => d.With("$.counterpart.frame.rotateDeg", "x"));
         seat.Settle();
         seat.Seat.WaitFor(() => seat.System.Picture.Points.Count == 0, "They are drawn in a wrong frame.");
     });
@@ -361,12 +361,17 @@ public sealed class SystemSetupTests
 
         seat.Shell.Editing.Change(
             "",
-            d => d with
-            {
-                Chain = [new("housing", "17.5", "-0.03", "0.03"), new("cover", "15", "0.02", "x", "-1")],
-                Alignment = new("best-fit"),
-                Compensation = d.Compensation with { From = "counterpart" }
-            });
+            d => d.With("$.toleranceChain[0].name", "housing")
+                .With("$.toleranceChain[0].nominalMm", "17.5")
+                .With("$.toleranceChain[0].toleranceMm[0]", "-0.03")
+                .With("$.toleranceChain[0].toleranceMm[1]", "0.03")
+                .With("$.toleranceChain[1].name", "cover")
+                .With("$.toleranceChain[1].nominalMm", "15")
+                .With("$.toleranceChain[1].toleranceMm[0]", "0.02")
+                .With("$.toleranceChain[1].toleranceMm[1]", "x")
+                .With("$.toleranceChain[1].sign", "-1")
+                .With("$.alignment.kind", "best-fit")
+                .With("$.compensation.from", "counterpart"));
         seat.Settle();
         foreach (var side in Sides)
         {

@@ -16,7 +16,9 @@ public sealed partial class ValidationTests
         // The last row of a long table comes first: it has to be gone to.
         ("duplicate-point", d => d with { OtherPoints = [new("P", "0", "0"), new("P", "0", "1")] }),
         ("too-short", d => d with { Name = " " }),
-        ("too-short", d => d with { Chain = [new("", "1", "0", "0")] }),
+        ("too-short", d => d.With("$.toleranceChain[0].nominalMm", "1")
+            .With("$.toleranceChain[0].toleranceMm[0]", "0")
+            .With("$.toleranceChain[0].toleranceMm[1]", "0")),
         ("empty-cell", d => X(d, "")),
         ("wrong-type", d => Tool(d, "6 mm")),
         ("text-for-number", d => X(d, "abc")),
@@ -28,55 +30,65 @@ public sealed partial class ValidationTests
         ("implausible-number", d => X(d, "1e12")),
         ("number-out-of-range", d => Tool(d, "1e999")),
         ("too-small", d => Tool(d, "0")),
-        ("too-small", d => d with { Gauge = d.Gauge with { Uncertainty = "-1" } }),
-        ("too-large", d => d with { Compensation = d.Compensation with { Gain = "3" } }),
-        ("not-one-of", d => d.WithFeature(2, f => f.WithKey("degree", "two"))),
-        ("not-one-of", d => d.WithFeature(2, f => f.WithKey("ridge", "x"))),
-        ("not-one-of", d => d.WithFeature(2, f => f.WithKey("degree", "1.5"))),
+        ("too-small", d => d.With("$.gauge.uncertaintyMm", "-1")),
+        ("too-large", d => d.With("$.compensation.gain", "3")),
+        ("not-one-of", d => d.WithFeature(2, f => f.With("degree", "two"))),
+        ("not-one-of", d => d.WithFeature(2, f => f.With("ridge", "x"))),
+        ("not-one-of", d => d.WithFeature(2, f => f.With("degree", "1.5"))),
         ("pattern-mismatch", d => d.WithFeature(0, f => f with { Blocks = "120" })),
         ("pattern-mismatch", d => d.WithFeature(0, f => f with { Name = "L/1" })),
         ("too-few-items", d => d.WithFeature(0, f => f with { Blocks = "" })),
         ("too-few-items", d => d with { Features = [] }),
-        ("too-many-items", d => d with { Comparisons = [new("a", "angle", "L1, L1, L1")] }),
-        ("stylus-diameter-missing", d => d with { Gauge = d.Gauge with { Reports = "stylus-center" } }),
-        ("bad-format", d => d with { Gauge = d.Gauge with { Format = "table" } }),
-        ("unknown-dialect", d => d with { Counterpart = d.Counterpart with { Dialect = "fanuk" } }),
-        ("other-dialect", d => d with { Counterpart = d.Counterpart with { Dialect = "fanuc" } }),
-        ("from-fixed", d => d with { Compensation = d.Compensation with { From = "counterpart" } }),
-        ("file-unreadable", d => d with { Counterpart = d.Counterpart with { Program = "nowhere.nc" } }),
+        ("too-many-items", d => d.Without("$.verify")
+            .With("$.verify[0].name", "a")
+            .With("$.verify[0].quantity", "angle")
+            .With("$.verify[0].between", "L1, L1, L1")),
+        ("stylus-diameter-missing", d => d.With("$.gauge.reports", "stylus-center")),
+        ("bad-format", d => d.With("$.gauge.format", "table")),
+        ("unknown-dialect", d => d.With("$.counterpart.dialect", "fanuk")),
+        ("other-dialect", d => d.With("$.counterpart.dialect", "fanuc")),
+        ("from-fixed", d => d.With("$.compensation.from", "counterpart")),
+        ("file-unreadable", d => d.With("$.counterpart.program", "nowhere.nc")),
         (
             "measured-missing",
-            d => d with
-            {
-                Compensation = d.Compensation with { From = "counterpart" },
-                Counterpart = d.Counterpart with { Measured = "" }
-            }),
-        ("datum-needs-two-points", d => d with { Alignment = new("datum", "1", "1") }),
-        ("missing-point", d => d with { Alignment = new("datum", "1", "99") }),
-        ("missing-point", d => d with { OriginPoint = "O", OriginLimit = "0.01" }),
+            d => d.With("$.compensation.from", "counterpart").With("$.counterpart.measured", "")),
+        ("datum-needs-two-points", d => d.With("$.alignment.kind", "datum")
+            .With("$.alignment.origin", "1")
+            .With("$.alignment.direction", "1")),
+        ("missing-point", d => d.With("$.alignment.kind", "datum").With("$.alignment.origin", "1").With("$.alignment.direction", "99")),
+        ("missing-point", d => d.With("$.originCheck.point", "O").With("$.originCheck.limitMm", "0.01")),
         ("duplicate-name", d => d.WithFeature(2, f => f with { Name = "L1" })),
         ("reversed-tolerance", d => d.WithFeature(1, f => f with { Lower = "0.1" })),
         ("limit-implausible", d => d.WithFeature(0, f => f with { Upper = "9" })),
-        ("uncertainty-implausible", d => d with { Gauge = d.Gauge with { Uncertainty = "5.4" } }),
-        ("gauge-too-coarse", d => d with { Gauge = d.Gauge with { Uncertainty = "0.06" } }),
-        ("guard-bands-overlap", d => d with { Gauge = d.Gauge with { Uncertainty = "0.04" }, Decision = new("guard-band") }),
+        ("uncertainty-implausible", d => d.With("$.gauge.uncertaintyMm", "5.4")),
+        ("gauge-too-coarse", d => d.With("$.gauge.uncertaintyMm", "0.06")),
+        ("guard-bands-overlap", d => d.With("$.gauge.uncertaintyMm", "0.04").With("$.decision.rule", "guard-band")),
         ("chain-missing", d => d.WithFeature(1, f => f with { Tolerance = "chain:rss" })),
         ("too-few-points", d => d.WithPoints(0, 0, 1)),
-        ("degree-too-high", d => d.WithFeature(2, f => f.WithKey("degree", "10"))),
+        ("degree-too-high", d => d.WithFeature(2, f => f.With("degree", "10"))),
         ("bad-pattern", d => d.WithFeature(0, f => f with { Blocks = "/(/" })),
-        ("bad-range", d => d with { Comparisons = [new("a", "deviation", "9..2a")] }),
+        ("bad-range", d => d.Without("$.verify")
+            .With("$.verify[0].name", "a")
+            .With("$.verify[0].quantity", "deviation")
+            .With("$.verify[0].points", "9..2a")),
         ("block-not-found", d => d.WithFeature(0, f => f with { Blocks = "N121" })),
         ("blocks-backwards", d => d.WithFeature(1, f => f with { Blocks = "N160..N130" })),
         ("blocks-overlap", d => d.WithFeature(0, f => f with { Blocks = "N120, N130" })),
-        ("point-off-path", d => d with { Counterpart = d.Counterpart with { TranslateX = "7" } }),
+        ("point-off-path", d => d.With("$.counterpart.frame.translateMm[0]", "7")),
         ("sides-differ", d => X(d, "-37.94")),
         ("plane-differs", d => d.WithFeature(0, f => f with { Plane = "ZX" })),
-        ("alignment-needs-one-plane", d => (d with { Alignment = new("best-fit") }).WithFeature(0, f => f with { Plane = "ZX" })),
+        ("alignment-needs-one-plane", d => (d.With("$.alignment.kind", "best-fit")).WithFeature(0, f => f with { Plane = "ZX" })),
         ("no-motion", d => d.WithFeature(0, f => f with { Blocks = "N80" })),
         ("no-cutting-motion", d => d with { Name = "", Program = DraftProgram.Of("N10 G0 X0\n"u8.ToArray()) }),
         ("already-compensated", d => d with { Program = DraftProgram.Of(Compensated()) }),
-        ("unknown-element", d => d with { Comparisons = [new("a", "angle", "L1, L9")] }),
-        ("unknown-point", d => d with { Comparisons = [new("a", "deviation", "77")] }),
+        ("unknown-element", d => d.Without("$.verify")
+            .With("$.verify[0].name", "a")
+            .With("$.verify[0].quantity", "angle")
+            .With("$.verify[0].between", "L1, L9")),
+        ("unknown-point", d => d.Without("$.verify")
+            .With("$.verify[0].name", "a")
+            .With("$.verify[0].quantity", "deviation")
+            .With("$.verify[0].points", "77")),
     ];
 
     [Fact]
@@ -124,8 +136,8 @@ public sealed partial class ValidationTests
         var caused = new HashSet<string>(StringComparer.Ordinal);
         Func<MatingDraft, MatingDraft>[] doubtful = [
             d => d.WithFeature(0, f => f with { Blocks = "N120, N110" }),
-            d => d with { Counterpart = d.Counterpart with { Measured = "9.csv" } },
-            d => d with { Gauge = d.Gauge with { Uncertainty = "0.02" } }];
+            d => d.With("$.counterpart.measured", "9.csv"),
+            d => d.With("$.gauge.uncertaintyMm", "0.02")];
         var edits = new JobEdits(seat.Seat.Station.Settings, seat.Seat.Station.Store, seat.Seat.Station.Users);
         foreach (var problem in Mistakes.Select(m => m.Mistake)
             .Concat(doubtful)
@@ -188,7 +200,7 @@ public sealed partial class ValidationTests
         draft.WithFeature(0, f => f with { Flanks = f.Flanks.Replaced(0, f.Flanks[0].Replaced(0, f.Flanks[0][0] with { X = x })) });
 
     private static MatingDraft Tool(MatingDraft draft, string diameter) =>
-        draft with { Counterpart = draft.Counterpart with { ToolDiameter = diameter } };
+        draft.With("$.counterpart.toolDiameterMm", diameter);
 
     [GeneratedRegex("[A-Za-z]{4,}", RegexOptions.CultureInvariant, 1000)]
     private static partial Regex Word();

@@ -44,7 +44,11 @@ public sealed class DraftFolderTests
     [InlineData("{\"Job\":\"A\",\"By\":null,\"At\":\"2026-11-22T05:00:00+00:00\",\"BaseSha256\":\"\",\"Draft\":{}}")]
     [InlineData("{\"Job\":\"B\",\"By\":\"x\",\"At\":\"2026-11-22T05:00:00+00:00\",\"BaseSha256\":\"\",\"Draft\":{}}")]
     [InlineData("{" + Head + "\"Draft\":{\"Program\":{\"Sha256\":\"../../x\"}}}")]
-    [InlineData("{" + Head + "\"Draft\":{\"Features\":[{\"Kind\":\"Line\",\"Flanks\":[]}]}}")]
+    [InlineData("{" + Head + "\"Draft\":{\"Document\":null}}")]
+    [InlineData("{" + Head + "\"Draft\":{\"Document\":{},\"Features\":[null]}}")]
+    [InlineData("{" + Head + "\"Draft\":{\"Document\":{},\"Features\":[{\"Document\":{\"kind\":\"line\"},\"Flanks\":[]}]}}")]
+    [InlineData("{" + Head + "\"Draft\":{\"Document\":{},\"Features\":[{\"Document\":{\"kind\":\"Line\"},\"Flanks\":[[]]}]}}")]
+    [InlineData("{" + Head + "\"Draft\":{\"Document\":{},\"Program\":{\"Sha256\":\"../../x\"}}}")]
     public void What_is_no_draft_is_an_error_and_can_be_forgotten(string content)
     {
         using var folder = new TemporaryFolder();
@@ -54,6 +58,19 @@ public sealed class DraftFolderTests
         Assert.Throws<InputException>(() => drafts.Find("A"));
         drafts.Forget("A");
         Assert.Null(drafts.Find("A"));
+    }
+
+    // Earlier versions kept a field of their own for each key.
+    [Fact]
+    public void What_an_earlier_version_kept_is_refused_as_such()
+    {
+        using var folder = new TemporaryFolder();
+        var drafts = new DraftFolder(folder.Path);
+        drafts.Keep(Stored("A", RandomDraft.Of(1)));
+        File.WriteAllText(
+            Directory.GetFiles(folder.Path)[0], "{" + Head + "\"Draft\":{\"Name\":\"a\",\"Features\":[]}}", Encoding.UTF8);
+        var refused = Assert.Throws<InputException>(() => drafts.Find("A"));
+        Assert.Contains("unsaved changes of this version", refused.Message, StringComparison.Ordinal);
     }
 
     private const string Head = "\"Job\":\"A\",\"By\":\"x\",\"At\":\"2026-11-22T05:00:00+00:00\",\"BaseSha256\":\"\",";

@@ -24,7 +24,7 @@ public sealed class MatingDraftBlocksTests
     public void A_draft_with_nothing_but_points_and_program_gets_the_blocks_of_the_sample()
     {
         var draft = Without(MatingDraftFiles.Open(Job), 0, 1, 2) with { Name = "" };
-        var proposed = MatingDraftBlocks.Propose(draft with { Counterpart = draft.Counterpart with { ToolDiameter = "", Map = "" } }, Path);
+        var proposed = MatingDraftBlocks.Propose(draft.With("$.counterpart.toolDiameterMm", "").With("$.counterpart.mapMm", ""), Path);
         Assert.Equal(
             [(0, "L1", "N120"), (1, "L2L3", "N130..N160"), (2, "C1", "N170..N1190")],
             proposed.Select(p => (p.Feature, p.Name, Assert.Single(p.Blocks))));
@@ -40,7 +40,7 @@ public sealed class MatingDraftBlocksTests
             "N120",
             Assert.Single(
                 Assert.Single(MatingDraftBlocks.Propose(
-                    turned with { Counterpart = turned.Counterpart with { Rotate = "-90" } }, Path)).Blocks));
+                    turned.With("$.counterpart.frame.rotateDeg", "-90"), Path)).Blocks));
         Assert.Empty(Assert.Single(MatingDraftBlocks.Propose(turned, Path)).Blocks);
     }
 
@@ -55,7 +55,7 @@ public sealed class MatingDraftBlocksTests
             "L1: fewer than two of its points have a place in the program. Give them their coordinates, or name the blocks yourself.",
             Assert.Single(MatingDraftBlocks.Propose(lacking, Path)).Refusal!.Message);
         var other = Assert.Single(MatingDraftBlocks.Propose(
-            Without(draft, 0) with { Counterpart = draft.Counterpart with { ToolDiameter = "10" } }, Path));
+            Without(draft, 0).With("$.counterpart.toolDiameterMm", "10"), Path));
         Assert.Empty(other.Blocks);
         Assert.Contains(" 5 mm", other.Refusal!.Message, StringComparison.Ordinal);
     }
@@ -77,35 +77,35 @@ public sealed class MatingDraftBlocksTests
     {
         var (one, other) = (NcProgram.FromText("X1\nX2\nX2\n"), NcProgram.FromText("X0\nX1\nX2\nX2\n"));
         var draft = Without(MatingDraftFiles.Open(Job), 0, 1);
-        Assert.Empty(MatingDraftBlocks.WithBlocks(draft, [(0, ["N120"])], one).Counterpart.ProgramSha256);
+        Assert.Empty(MatingDraftBlocks.WithBlocks(draft, [(0, ["N120"])], one)["$.counterpart.programSha256"]);
         var lines = MatingDraftBlocks.WithBlocks(draft, [(0, ["L2"]), (1, ["L3"])], one);
-        Assert.Equal(DraftProgram.Of(one.Bytes).Sha256, lines.Counterpart.ProgramSha256);
+        Assert.Equal(DraftProgram.Of(one.Bytes).Sha256, lines["$.counterpart.programSha256"]);
 
         // One more feature of another program: the line of the first one is gone, the number of the last one stays.
         var mixed = MatingDraftBlocks.WithBlocks(lines, [(1, ["L4"])], other);
         Assert.Equal(["", "L4", "N170..N1190"], mixed.Features.Select(f => f.Blocks));
-        Assert.Equal(DraftProgram.Of(other.Bytes).Sha256, mixed.Counterpart.ProgramSha256);
+        Assert.Equal(DraftProgram.Of(other.Bytes).Sha256, mixed["$.counterpart.programSha256"]);
 
         // What is added to a feature does not bring its old lines back; numbers instead of lines need no hash.
         var more = MatingDraftBlocks.WithBlocks(lines, [(0, ["L4"])], other, isMore: true);
         Assert.Equal(["L4", "", "N170..N1190"], more.Features.Select(f => f.Blocks));
         Assert.Equal("L2, L3", MatingDraftBlocks.WithBlocks(lines, [(0, ["L3"])], one, isMore: true).Features[0].Blocks);
-        Assert.Empty(MatingDraftBlocks.WithBlocks(lines, [(0, ["N1"]), (1, ["N2"])], other).Counterpart.ProgramSha256);
+        Assert.Empty(MatingDraftBlocks.WithBlocks(lines, [(0, ["N1"]), (1, ["N2"])], other)["$.counterpart.programSha256"]);
 
         // The same when another program is imported, and not when it is the same.
         var imported = MatingDraftBlocks.WithProgram(lines, DraftProgram.Of(other.Bytes), "other.nc");
         Assert.Equal(["", "", "N170..N1190"], imported.Features.Select(f => f.Blocks));
-        Assert.Equal(("other.nc", ""), (imported.Counterpart.Program, imported.Counterpart.ProgramSha256));
+        Assert.Equal(("other.nc", ""), (imported["$.counterpart.program"], imported["$.counterpart.programSha256"]));
         Assert.Equal(lines.Features, MatingDraftBlocks.WithProgram(lines, DraftProgram.Of(one.Bytes), "one.nc").Features);
 
         // Lines of which nobody said whose they are stay, and nothing is said for them.
-        var unsaid = lines with { Counterpart = lines.Counterpart with { ProgramSha256 = "" } };
+        var unsaid = lines.With("$.counterpart.programSha256", "");
         var added = MatingDraftBlocks.WithBlocks(unsaid, [(1, ["L4"])], other);
-        Assert.Equal(("L2", "L4", ""), (added.Features[0].Blocks, added.Features[1].Blocks, added.Counterpart.ProgramSha256));
-        Assert.Empty(MatingDraftBlocks.WithBlocks(unsaid, [(0, ["L4"]), (1, ["L4"])], other, isMore: true).Counterpart.ProgramSha256);
+        Assert.Equal(("L2", "L4", ""), (added.Features[0].Blocks, added.Features[1].Blocks, added["$.counterpart.programSha256"]));
+        Assert.Empty(MatingDraftBlocks.WithBlocks(unsaid, [(0, ["L4"]), (1, ["L4"])], other, isMore: true)["$.counterpart.programSha256"]);
 
         // Typed before the first program, they are for it.
-        var typed = unsaid with { Program = null, Counterpart = unsaid.Counterpart with { Program = "" } };
+        var typed = (unsaid with { Program = null }).With("$.counterpart.program", "");
         Assert.Equal("L2", MatingDraftBlocks.WithProgram(typed, DraftProgram.Of(one.Bytes), "one.nc").Features[0].Blocks);
     }
 

@@ -11,11 +11,12 @@ public sealed class MatingDraftPlacesTests
     {
         var file = Repository.PathTo("samples", "complex-mating", "job.json");
         var draft = MatingDraftFiles.Open(file);
-        draft = draft with
-        {
-            Counterpart = draft.Counterpart with { Mirror = "x", Rotate = "90", TranslateX = "5", TranslateY = "-2", ToolDiameter = "" },
-            Name = ""
-        };
+        draft = (draft with { Name = "" })
+            .With("$.counterpart.frame.mirror", "x")
+            .With("$.counterpart.frame.rotateDeg", "90")
+            .With("$.counterpart.frame.translateMm[0]", "5")
+            .With("$.counterpart.frame.translateMm[1]", "-2")
+            .With("$.counterpart.toolDiameterMm", "");
         draft = draft.WithFeature(0, f => f with { Blocks = "", Lower = "" });
         var places = MatingDraftPlaces.Find(draft);
         Assert.Equal(draft.Features.SelectMany(f => f.Points.Select(p => (f.Name, p.Label))), places.Select(p => (p.Feature, p.Label)));
@@ -31,8 +32,9 @@ public sealed class MatingDraftPlacesTests
         var draft = MatingDraftFiles.Open(Repository.PathTo("samples", "complex-mating", "job.json"));
         var missing = draft.WithFeature(0, f => f with { Flanks = [[f.Flanks[0][0] with { Y = "" }, f.Flanks[0][1]]] });
         Assert.Equal(["2", "2a"], MatingDraftPlaces.Find(missing).Take(2).Select(p => p.Label));
-        Assert.Empty(MatingDraftPlaces.Find(draft with { Counterpart = draft.Counterpart with { Rotate = "x" } }));
-        Assert.Empty(MatingDraftPlaces.Find(draft with { Counterpart = draft.Counterpart with { TranslateX = "5", TranslateY = "" } }));
+        Assert.Empty(MatingDraftPlaces.Find(draft.With("$.counterpart.frame.rotateDeg", "x")));
+        var half = draft.With("$.counterpart.frame.translateMm[0]", "5").With("$.counterpart.frame.translateMm[1]", "");
+        Assert.Empty(MatingDraftPlaces.Find(half));
         Assert.Empty(MatingDraftPlaces.Find(new()));
     }
 

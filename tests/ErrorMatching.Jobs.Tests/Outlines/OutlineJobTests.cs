@@ -186,25 +186,27 @@ public sealed class OutlineJobTests : IDisposable
     public void A_draft_takes_what_the_drawing_says_and_keeps_the_rest()
     {
         var made = Made(Polygon(Outline));
-        var draft = new MatingDraft
-        {
-            WorkOrder = "W1",
-            Gauge = new() { Format = "points", Uncertainty = "0.003" },
-            Counterpart = new() { Dialect = "fanuc", Map = "0.2" },
-            Alignment = new("datum", "A", "B"),
-            OtherPoints = [new("A", "1", "2", "")],
-        };
+        var draft = new MatingDraft { OtherPoints = [new("A", "1", "2", "")] }.With("$.workOrder", "W1")
+            .With("$.gauge.uncertaintyMm", "0.003")
+            .With("$.counterpart.dialect", "fanuc")
+            .With("$.counterpart.mapMm", "0.2")
+            .With("$.alignment.kind", "datum")
+            .With("$.alignment.origin", "A")
+            .With("$.alignment.direction", "B");
         var taken = made.Into(draft);
-        Assert.Equal(("outline", "W1", "0.003"), (taken.Name, taken.WorkOrder, taken.Gauge.Uncertainty));
+        Assert.Equal(("outline", "W1", "0.003"), (taken.Name, taken["$.workOrder"], taken["$.gauge.uncertaintyMm"]));
         Assert.Equal(("fanuc", "0.2", "8", "program.nc"), (
-            taken.Counterpart.Dialect, taken.Counterpart.Map, taken.Counterpart.ToolDiameter, taken.Counterpart.Program));
+            taken["$.counterpart.dialect"],
+            taken["$.counterpart.mapMm"],
+            taken["$.counterpart.toolDiameterMm"],
+            taken["$.counterpart.program"]));
         Assert.Equal(["N40", "N50", "N60", "N70", "N80", "N90"], taken.Features.Select(f => f.Blocks));
         Assert.All(taken.Features, f => Assert.Equal(("", ""), (f.Lower, f.Upper)));
         Assert.Equal(Encoding.UTF8.GetBytes(Program), taken.Program!.Bytes.ToArray());
 
         // What named points that are gone goes with them.
         Assert.Empty(taken.OtherPoints);
-        Assert.Equal("none", taken.Alignment.Kind);
+        Assert.Equal("none", taken.Word("$.alignment.kind"));
         Assert.Equal("named", made.Into(draft with { Name = "named" }).Name);
     }
 
@@ -212,11 +214,10 @@ public sealed class OutlineJobTests : IDisposable
     [Fact]
     public void The_request_of_a_draft_names_its_control_and_the_tool_of_an_empty_job()
     {
-        var draft = new MatingDraft
-        {
-            IsBegunAnew = true,
-            Counterpart = new() { Dialect = "fanuc", ToolDiameter = "6", BlockSkip = "on", Libraries = "subs; more" },
-        };
+        var draft = new MatingDraft { IsBegunAnew = true }.With("$.counterpart.dialect", "fanuc")
+            .With("$.counterpart.toolDiameterMm", "6")
+            .With("$.counterpart.blockSkip", "on")
+            .With("$.counterpart.libraries", "subs, more");
         var request = OutlineRequest.For(draft, Path.Combine(_folder, "job.json"), "o.dxf", "p.nc");
         Assert.Equal((6, BlockSkip.On, "fanuc"), (request.ToolDiameterMm, request.Control!.BlockSkip, request.Dialect));
         Assert.Equal([Path.Combine(_folder, "subs"), Path.Combine(_folder, "more")], request.Libraries);

@@ -14,12 +14,7 @@ internal sealed class FeatureEdit : Observable
     {
         (_editing, _index) = (editing ?? throw new ArgumentNullException(nameof(editing)), index);
         Kind = editing.Draft.Features[index].Kind;
-        Name = new(
-            editing,
-            DraftPaths.Feature(index, "name"),
-            "Points.Name",
-            d => d.Features[index].Name,
-            (d, t) => d.WithFeature(index, f => f with { Name = t }))
+        Name = new(editing, DraftPaths.Feature(index, FeatureDraft.NameKey), "Points.Name")
         {
             Row = () => NameOf(editing, index),
         };

@@ -15,7 +15,8 @@ internal sealed class FlankEdit : Observable
     {
         ArgumentNullException.ThrowIfNull(editing);
         (_feature, _flank, _isOne) = (feature, flank, editing.Draft.Features[feature].Flanks.Count == 1);
-        var path = DraftPaths.Feature(feature, "points") + (_isOne ? "" : string.Create(CultureInfo.InvariantCulture, $"[{flank}]"));
+        var path = DraftPaths.Feature(feature, FeatureDraft.PointsKey)
+            + (_isOne ? "" : string.Create(CultureInfo.InvariantCulture, $"[{flank}]"));
         Count = new(
             editing,
             path,

@@ -36,7 +36,7 @@ internal sealed class OutlineChoice : Observable
         (_editing, _draft, _request, _clock, _closed) = (editing, editing.Draft, request, clock, closed);
         Picture = new(program) { IsReadOnly = true };
         Layers = [.. layers.Select((l, i) => new LayerChoice(l, i))];
-        Uncertainty = editing.Draft.Gauge.Uncertainty;
+        Uncertainty = editing.Draft.Count(DraftPaths.Uncertainty) == 0 ? editing.Draft[DraftPaths.Uncertainty] : "";
         Take = new(TakeIt, () => _job is not null && editing.CanEdit);
         TakeUnit = new(TakeOtherUnit, () => _otherUnit is not null);
         Leave = new(closed);
@@ -84,7 +84,7 @@ internal sealed class OutlineChoice : Observable
     }
 
     /// <summary>The gauge's uncertainty is a list in the job, which stays.</summary>
-    public bool AsksUncertainty => _editing.Draft.Gauge.Contributions.Count == 0;
+    public bool AsksUncertainty => _editing.Draft.Count(DraftPaths.Uncertainty) == 0;
 
     /// <summary>Name of both files.</summary>
     public string Files => Texts.Current.With("Outline.Files", Path.GetFileName(_request.Drawing), Path.GetFileName(_request.Program));
@@ -215,11 +215,11 @@ internal sealed class OutlineChoice : Observable
         _editing.Change("", draft =>
         {
             var taken = job.Into(draft);
-            return taken with
+            taken = taken with
             {
                 Features = [.. taken.Features.Select(f => f with { Lower = Lower.Trim(), Upper = Upper.Trim() })],
-                Gauge = AsksUncertainty ? taken.Gauge with { Uncertainty = Uncertainty.Trim() } : taken.Gauge,
             };
+            return AsksUncertainty ? taken.With(DraftPaths.Uncertainty, Uncertainty.Trim()) : taken;
         });
         _closed();
         if (!ReferenceEquals(_draft, _editing.Draft))

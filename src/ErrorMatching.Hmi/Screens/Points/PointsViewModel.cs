@@ -16,9 +16,9 @@ internal sealed class PointsViewModel : SetupViewModel, ITakesCodes
     public PointsViewModel(ShellViewModel shell)
         : base(shell)
     {
-        WorkOrder = new(Editing, "$.workOrder", "Points.WorkOrder", d => d.WorkOrder, (d, t) => d with { WorkOrder = t });
-        Workpiece = new(Editing, "$.name", "Points.Workpiece", d => d.Name, (d, t) => d with { Name = t });
-        _features = new(Editing, "$.features", "Points.Features");
+        WorkOrder = new(Editing, DraftPaths.WorkOrder, "Points.WorkOrder");
+        Workpiece = new(Editing, DraftPaths.Name, "Points.Workpiece");
+        _features = new(Editing, DraftPaths.Features, "Points.Features");
         _outline = new(this, shell);
         _outline.Shown += OnOutlineShown;
         Adds = [.. FeatureKinds.All.Select(k => new KindChoice(k, Adding(k)))];
@@ -82,7 +82,7 @@ internal sealed class PointsViewModel : SetupViewModel, ITakesCodes
 
     protected override string Key => ScreenKeys.Points;
 
-    protected override IEnumerable<EditField> Fields => [WorkOrder, Workpiece, _features, .. Features.SelectMany(f => f.Fields)];
+    protected internal override IEnumerable<EditField> Fields => [WorkOrder, Workpiece, _features, .. Features.SelectMany(f => f.Fields)];
 
     protected override void Dispose(bool isDisposing)
     {

@@ -146,7 +146,7 @@ internal abstract class SetupViewModel : ScreenViewModel
     public virtual bool IsInFront => _shell.IsFree && !_shell.IsLocked;
 
     /// <summary>The fields of the screen, in reading order.</summary>
-    protected abstract IEnumerable<EditField> Fields { get; }
+    protected internal abstract IEnumerable<EditField> Fields { get; }
 
     protected ShellViewModel Shell => _shell;
 

@@ -68,8 +68,8 @@ internal sealed class BlockPicking
     public void Show()
     {
         var draft = _editing.Draft;
-        var counterpart = draft.Counterpart;
-        var of = new PictureOf(_editing.Job?.File, counterpart.Program, draft.Program, counterpart.Dialect, counterpart.BlockSkip);
+        var of = new PictureOf(
+            _editing.Job?.File, draft[DraftPaths.Program], draft.Program, draft[DraftPaths.Dialect], draft[DraftPaths.BlockSkip]);
         if (of != _of)
         {
             (_of, Picture) = (of, null);
@@ -134,7 +134,8 @@ internal sealed class BlockPicking
     {
         var marked = string.Join(
             '\n',
-            draft.Features.Select(f => $"{f.Name}: {f.Blocks}; {f.Plane} {string.Join(' ', f.Points)}").Append($"{draft.Counterpart}"));
+            draft.Features.Select(f => $"{f.Name}: {f.Blocks}; {f.Plane} {string.Join(' ', f.Points)}")
+                .Append(draft[DraftPaths.Counterpart]));
         if (marked != _marked)
         {
             _marked = marked;

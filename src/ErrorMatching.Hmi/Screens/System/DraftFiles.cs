@@ -97,7 +97,7 @@ internal sealed class DraftFiles
     private bool IsMeasurement(string file) =>
         new[]
         {
-            Editing.Draft.MeasuredFile,
-            Editing.Draft.Counterpart.Measured
+            Editing.Draft[DraftPaths.Measured],
+            Editing.Draft[DraftPaths.CounterpartMeasured]
         }.Any(m => string.Equals(Path.GetFileName(m.Trim()), file, StringComparison.OrdinalIgnoreCase));
 }

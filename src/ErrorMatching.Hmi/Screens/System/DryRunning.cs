@@ -68,7 +68,7 @@ internal sealed class DryRunning
     private async Task LastAsync(CancellationToken cancellation)
     {
         Editing.ForgetNotice();
-        var piece = Editing.Draft.Compensation.From;
+        var piece = Editing.Draft.Word(DraftPaths.From);
         (Correction Correction, byte[] Bytes, GivenFile? Part)? last = null;
         var job = Editing.Place!;
         if (!await _screen.TryAsync(() =>
@@ -121,7 +121,7 @@ internal sealed class DryRunning
     private async Task TryOutAsync(Correction correction, GivenFile measurement, GivenFile? part, CancellationToken cancellation)
     {
         var (draft, job) = (Editing.Draft, Editing.Job!);
-        var isOfPart = draft.Compensation.From == "part";
+        var isOfPart = draft.Word(DraftPaths.From) == "part";
         var request = new MatingRequest
         {
             Part = isOfPart ? measurement : part,

@@ -11,12 +11,7 @@ internal sealed class SystemFields(JobEditing editing)
     private static readonly int ToleranceColumns = 4 + FeatureKinds.All.Max(k => k.Keys.Count);
 
     public IReadOnlyList<TextField> Blocks() => [.. Features().Select(f =>
-        new TextField(
-            editing,
-            DraftPaths.Feature(f, "blocks"),
-            "System.Blocks",
-            d => d.Features[f].Blocks,
-            (d, t) => d.WithFeature(f, x => x with { Blocks = t }))
+        new TextField(editing, DraftPaths.Feature(f, FeatureDraft.BlocksKey), "System.Blocks")
         {
             Example = "System.BlocksExample",
             Row = () => FeatureEdit.NameOf(editing, f),
@@ -24,383 +19,181 @@ internal sealed class SystemFields(JobEditing editing)
 
     public IReadOnlyList<FieldRow> Tolerances() => [.. Features().Select(Tolerance)];
 
-    public IReadOnlyList<FieldRow> Chain() => [.. Enumerable.Range(0, editing.Draft.Chain.Count).Select(i => Row(
-        "chain",
-        i,
-        d => d with { Chain = d.Chain.Without(i) },
-        [
-            Link(i, "name", "System.ChainName", l => l.Name, (l, t) => l with { Name = t }),
-            Link(i, "nominalMm", "System.Nominal", l => l.Nominal, (l, t) => l with { Nominal = t }),
-            Link(i, "toleranceMm[0]", "System.Lower", l => l.Lower, (l, t) => l with { Lower = t }),
-            Link(i, "toleranceMm[1]", "System.Upper", l => l.Upper, (l, t) => l with { Upper = t }),
-            Choice(
-                At("toleranceChain", i, "sign"),
-                "System.Sign",
-                ["1", "-1"],
-                d => d.Chain[i].Sign,
-                (d, t) => d with { Chain = d.Chain.Replaced(i, d.Chain[i] with { Sign = t }) }),
-        ]))];
+    public IReadOnlyList<FieldRow> Chain() => Rows("chain", DraftPaths.Chain, at =>
+    [
+        Named(at, "name", "System.ChainName"),
+        Named(at, "nominalMm", "System.Nominal"),
+        Named(at, FeatureDraft.LowerKey, "System.Lower"),
+        Named(at, FeatureDraft.UpperKey, "System.Upper"),
+        Choice(at("sign"), "System.Sign"),
+    ]);
 
     public IReadOnlyList<EditField> Frame() =>
     [
-        Text(
-            "$.counterpart.toolDiameterMm",
-            "System.ToolDiameter",
-            d => d.Counterpart.ToolDiameter,
-            (d, t) => d with { Counterpart = d.Counterpart with { ToolDiameter = t } }),
-        Text(
-            "$.counterpart.mapMm",
-            "System.Map",
-            "0.5",
-            d => d.Counterpart.Map,
-            (d, t) => d with { Counterpart = d.Counterpart with { Map = t } }),
-        Choice(
-            "$.counterpart.frame.mirror",
-            "System.Mirror",
-            ["none", "x", "y"],
-            d => d.Counterpart.Mirror,
-            (d, t) => d with { Counterpart = d.Counterpart with { Mirror = t } }),
-        Text(
-            "$.counterpart.frame.rotateDeg",
-            "System.Rotate",
-            "0",
-            d => d.Counterpart.Rotate,
-            (d, t) => d with { Counterpart = d.Counterpart with { Rotate = t } }),
-        Text(
-            "$.counterpart.frame.translateMm[0]",
-            "System.TranslateX",
-            "0",
-            d => d.Counterpart.TranslateX,
-            (d, t) => d with { Counterpart = d.Counterpart with { TranslateX = t } }),
-        Text(
-            "$.counterpart.frame.translateMm[1]",
-            "System.TranslateY",
-            "0",
-            d => d.Counterpart.TranslateY,
-            (d, t) => d with { Counterpart = d.Counterpart with { TranslateY = t } }),
+        Text(DraftPaths.ToolDiameter, "System.ToolDiameter"),
+        Text(DraftPaths.Map, "System.Map"),
+        Choice(DraftPaths.Frame + ".mirror", "System.Mirror"),
+        Text(DraftPaths.Frame + ".rotateDeg", "System.Rotate"),
+        Text(DraftPaths.TranslateX, "System.TranslateX", "0"),
+        Text(DraftPaths.TranslateY, "System.TranslateY", "0"),
     ];
 
     public IReadOnlyList<EditField> Alignment() =>
     [
-        Choice(
-            "$.alignment.kind",
-            "System.Alignment",
-            ["none", "datum", "best-fit"],
-            d => d.Alignment.Kind,
-            (d, t) => d with { Alignment = d.Alignment with { Kind = t } }),
-        .. editing.Draft.Alignment.Kind switch
+        Choice(DraftPaths.AlignmentKind, "System.Alignment"),
+        .. editing.Draft[DraftPaths.AlignmentKind] switch
         {
             "datum" => new EditField[]
             {
-                Text(
-                    "$.alignment.origin",
-                    "System.DatumOrigin",
-                    d => d.Alignment.Origin,
-                    (d, t) => d with { Alignment = d.Alignment with { Origin = t } }),
-                Text(
-                    "$.alignment.direction",
-                    "System.DatumDirection",
-                    d => d.Alignment.Direction,
-                    (d, t) => d with { Alignment = d.Alignment with { Direction = t } }),
+                Text(DraftPaths.DatumOrigin, "System.DatumOrigin"),
+                Text(DraftPaths.DatumDirection, "System.DatumDirection"),
             },
             "best-fit" =>
             [
-                Switch(
-                    "$.alignment.lockX",
-                    "System.LockX",
-                    d => d.Alignment.LockX,
-                    (d, on) => d with { Alignment = d.Alignment with { LockX = on } }),
-                Switch(
-                    "$.alignment.lockY",
-                    "System.LockY",
-                    d => d.Alignment.LockY,
-                    (d, on) => d with { Alignment = d.Alignment with { LockY = on } }),
-                Switch(
-                    "$.alignment.lockRotation",
-                    "System.LockRotation",
-                    d => d.Alignment.LockRotation,
-                    (d, on) => d with { Alignment = d.Alignment with { LockRotation = on } }),
+                Lock("x", "lockX", "System.LockX"),
+                Lock("y", "lockY", "System.LockY"),
+                Lock("rotation", "lockRotation", "System.LockRotation"),
             ],
             _ => [],
         },
-        Text("$.originCheck.point", "System.OriginPoint", otherwise: null, d => d.OriginPoint, (d, t) => d with { OriginPoint = t }),
-        Text("$.originCheck.limitMm", "System.OriginLimit", otherwise: null, d => d.OriginLimit, (d, t) => d with { OriginLimit = t }),
+        Text(DraftPaths.OriginPoint, "System.OriginPoint"),
+        Text(DraftPaths.OriginLimit, "System.OriginLimit"),
     ];
 
     public IReadOnlyList<EditField> Compensation() =>
     [
-        Choice(
-            "$.compensation.from",
-            "System.From",
-            ["part", "counterpart"],
-            d => d.Compensation.From,
-            (d, t) => d with { Compensation = d.Compensation with { From = t } }),
-        Text(
-            "$.compensation.gain",
-            "System.Gain",
-            "1",
-            d => d.Compensation.Gain,
-            (d, t) => d with { Compensation = d.Compensation with { Gain = t } }),
-        Text(
-            "$.compensation.limitMm",
-            "System.Limit",
-            "1",
-            d => d.Compensation.Limit,
-            (d, t) => d with { Compensation = d.Compensation with { Limit = t } }),
-        Choice(
-            "$.compensation.amount",
-            "System.Amount",
-            ["whole", "excess"],
-            d => d.Compensation.Amount,
-            (d, t) => d with { Compensation = d.Compensation with { Amount = t } }),
-        Choice(
-            "$.compensation.along",
-            "System.Along",
-            ["normal", "vector"],
-            d => d.Compensation.Along,
-            (d, t) => d with { Compensation = d.Compensation with { Along = t } }),
-        .. DecisionFields.Of(editing),
+        Choice(DraftPaths.From, "System.From"),
+        Text(DraftPaths.Compensation + ".gain", "System.Gain"),
+        Text(DraftPaths.Compensation + ".limitMm", "System.Limit"),
+        Choice(DraftPaths.Compensation + ".amount", "System.Amount"),
+        Choice(DraftPaths.Compensation + ".along", "System.Along"),
+        Choice(DraftPaths.Rule, "System.Rule"),
+        .. editing.Draft[DraftPaths.Rule] == "guard-band"
+            ? [Text(DraftPaths.Decision + ".riskPercent", "System.Risk")] : Array.Empty<EditField>(),
 
         // Applies to either choice, because verifications compare with it.
-        Text(
-            "$.counterpart.measured",
-            "System.CounterpartMeasured",
-            otherwise: null,
-            d => d.Counterpart.Measured,
-            (d, t) => d with { Counterpart = d.Counterpart with { Measured = t } }),
+        Text(DraftPaths.CounterpartMeasured, "System.CounterpartMeasured"),
     ];
 
     public IReadOnlyList<EditField> Gauge() =>
     [
-        .. editing.Draft.Gauge.FormatJson.Length > 0
-            ? []
-            : new EditField[]
-            {
-                Choice(
-                    "$.gauge.format",
-                    "System.Format",
-                    ["points", "feature-table", "recognized"],
-                    d => d.Gauge.Format,
-                    (d, t) => d with { Gauge = d.Gauge with { Format = t } })
-            },
-        .. editing.Draft.Gauge.Contributions.Count > 0
-            ? []
-            : new EditField[]
-            {
-                Text(
-                    "$.gauge.uncertaintyMm",
-                    "System.Uncertainty",
-                    d => d.Gauge.Uncertainty,
-                    (d, t) => d with { Gauge = d.Gauge with { Uncertainty = t } })
-            },
-        DecisionFields.AcceptCoarse(editing),
-        Choice(
-            "$.gauge.reports",
-            "System.Reports",
-            ["contact", "stylus-center"],
-            d => d.Gauge.Reports,
-            (d, t) => d with { Gauge = d.Gauge with { Reports = t } }),
-        Text(
-            "$.gauge.stylusDiameterMm",
-            "System.Stylus",
-            otherwise: null,
-            d => d.Gauge.StylusDiameter,
-            (d, t) => d with { Gauge = d.Gauge with { StylusDiameter = t } }),
-        Text(
-            "$.gauge.measuring.touches",
-            "System.Touches",
-            otherwise: null,
-            d => d.Gauge.Touches,
-            (d, t) => d with { Gauge = d.Gauge with { Touches = t } }),
-        Text(
-            "$.gauge.measuring.probingSpeedMmPerS",
-            "System.ProbingSpeed",
-            "10",
-            d => d.Gauge.ProbingSpeed,
-            (d, t) => d with { Gauge = d.Gauge with { ProbingSpeed = t } }),
-        Text(
-            "$.gauge.measuring.probingDistanceMm",
-            "System.ProbingDistance",
-            "5",
-            d => d.Gauge.ProbingDistance,
-            (d, t) => d with { Gauge = d.Gauge with { ProbingDistance = t } }),
-        Text(
-            "$.gauge.measuring.calculatingS",
-            "System.Calculating",
-            "1",
-            d => d.Gauge.Calculating,
-            (d, t) => d with { Gauge = d.Gauge with { Calculating = t } }),
+        .. editing.Draft[DraftPaths.Format].StartsWith('{')
+            ? Array.Empty<EditField>()
+            : [new ChoiceField(editing, DraftPaths.Format, "System.Format", ["points", "feature-table", "recognized"])],
+        .. editing.Draft.Count(DraftPaths.Uncertainty) > 0
+            ? Array.Empty<EditField>() : [Text(DraftPaths.Uncertainty, "System.Uncertainty")],
+        new SwitchField(editing, DraftPaths.Gauge + ".acceptCoarse", "System.AcceptCoarse"),
+        Choice(DraftPaths.Reports, "System.Reports"),
+        Text(DraftPaths.StylusDiameter, "System.Stylus"),
+        Text(DraftPaths.Measuring + ".touches", "System.Touches"),
+        Text(DraftPaths.Measuring + ".probingSpeedMmPerS", "System.ProbingSpeed"),
+        Text(DraftPaths.Measuring + ".probingDistanceMm", "System.ProbingDistance"),
+        Text(DraftPaths.Measuring + ".calculatingS", "System.Calculating"),
     ];
 
-    public IReadOnlyList<FieldRow> Contributions() => [.. Enumerable.Range(0, editing.Draft.Gauge.Contributions.Count).Select(i => Row(
-        "contribution",
-        i,
-        d => d with { Gauge = d.Gauge with { Contributions = d.Gauge.Contributions.Without(i) } },
-        [
-            Contribution(i, "name", "System.ContributionName", c => c.Name, (c, t) => c with { Name = t }),
-            Contribution(i, "valueMm", "System.Uncertainty", c => c.Value, (c, t) => c with { Value = t }),
-        ]))];
+    public IReadOnlyList<FieldRow> Contributions() => Rows("contribution", DraftPaths.Uncertainty, at =>
+        [Named(at, "name", "System.ContributionName"), Named(at, DraftPaths.ContributionValue, "System.Uncertainty")]);
 
     /// <summary>Comparisons in addition to those of the features.</summary>
-    public IReadOnlyList<FieldRow> Comparisons() => [.. Enumerable.Range(0, editing.Draft.Comparisons.Count).Select(i => Row(
-        "comparison",
-        i,
-        d => d with { Comparisons = d.Comparisons.Without(i) },
-        [
-            Comparison(i, "name", "System.ComparisonName", c => c.Name, (c, t) => c with { Name = t }),
-            Choice(
-                At("verify", i, "quantity"),
-                "System.Quantity",
-                ["angle", "deviation", "deviation-x"],
-                d => d.Comparisons[i].Quantity,
-                (d, t) => d with { Comparisons = d.Comparisons.Replaced(i, d.Comparisons[i] with { Quantity = t }) }),
-            Comparison(
-                i,
-                editing.Draft.Comparisons[i].Quantity == "angle" ? "between" : "points",
-                editing.Draft.Comparisons[i].Quantity == "angle" ? "System.Between" : "System.Of",
-                c => c.Of,
-                (c, t) => c with { Of = t }),
-        ]))];
-
-    private static string At(string list, int index, string field) =>
-        string.Create(CultureInfo.InvariantCulture, $"$.{list}[{index}].{field}");
+    public IReadOnlyList<FieldRow> Comparisons() => Rows("comparison", DraftPaths.Comparisons, at =>
+    [
+        Named(at, "name", "System.ComparisonName"),
+        Choice(at(DraftPaths.Quantity), "System.Quantity"),
+        editing.Draft.Word(at(DraftPaths.Quantity)) == "angle"
+            ? Named(at, "between", "System.Between") : Named(at, "points", "System.Of"),
+    ]);
 
     private IEnumerable<int> Features() => Enumerable.Range(0, editing.Draft.Features.Count);
 
     private FieldRow Tolerance(int f)
     {
         var feature = editing.Draft.Features[f];
-        var cells = new List<EditField>
+        var (lower, upper) = (DraftPaths.Feature(f, FeatureDraft.LowerKey), DraftPaths.Feature(f, FeatureDraft.UpperKey));
+        var isStated = feature.Tolerance == FeatureDraft.Stated;
+
+        // Empty cells where limits are not stated, so that the following fields align with those of other features.
+        return new(
+            feature.Name,
+            [
+                new ChoiceField(
+                    editing,
+                    DraftPaths.Feature(f, FeatureDraft.ToleranceKey),
+                    "System.Tolerance",
+                    [FeatureDraft.Stated, .. MatingDraft.PlaceOf(DraftPaths.Feature(f, FeatureDraft.ToleranceKey)).Words],
+                    d => d.Features[f].Tolerance,
+                    (d, t) => d.WithFeature(f, x => x with { Tolerance = t }))
+                {
+                    Row = Name
+                },
+                isStated ? Text(lower, "System.Lower") : new NoteField(editing, lower, "System.Lower"),
+                isStated ? Text(upper, "System.Upper") : new NoteField(editing, upper, "System.Upper"),
+                new ChoiceField(editing, DraftPaths.Feature(f, FeatureDraft.PlaneKey), "System.Plane") { Row = Name },
+                .. feature.Kind.Keys.Select(
+                    k => $"Key.{feature.Kind}.{k.Name}" is var label && k.Words.Count > 0
+                        ? new ChoiceField(editing, DraftPaths.Feature(f, k.Name), label, k.Words) { Row = Name }
+                        : (EditField)new TextField(editing, DraftPaths.Feature(f, k.Name), label)
+                        {
+                            Default = Texts.Current["System.Automatic"],
+                            MayBeEmpty = _ => true,
+                            Row = Name,
+                        }),
+            ])
         {
-            Choice(
-                "toleranceMm",
-                "System.Tolerance",
-                [FeatureDraft.Stated, "chain:worst-case", "chain:rss"],
-                x => x.Tolerance,
-                (x, t) => x with { Tolerance = t })
+            Columns = ToleranceColumns,
         };
-        if (feature.Tolerance == FeatureDraft.Stated)
-        {
-            cells.Add(Text("toleranceMm[0]", "System.Lower", x => x.Lower, (x, t) => x with { Lower = t }));
-            cells.Add(Text("toleranceMm[1]", "System.Upper", x => x.Upper, (x, t) => x with { Upper = t }));
-        }
-        else
-        {
-            // Empty cells, so that the following fields align with those of other features.
-            cells.Add(new NoteField(editing, DraftPaths.Feature(f, "toleranceMm[0]"), "System.Lower"));
-            cells.Add(new NoteField(editing, DraftPaths.Feature(f, "toleranceMm[1]"), "System.Upper"));
-        }
 
-        cells.Add(Choice("plane", "System.Plane", ["XY", "ZX", "YZ"], x => x.Plane, (x, t) => x with { Plane = t }));
-        foreach (var key in feature.Kind.Keys)
-        {
-            var label = $"Key.{feature.Kind}.{key.Name}";
-            cells.Add(key.Words.Count > 0
-                ? Choice(key.Name, label, key.Words, x => x.Key(key.Name), (x, t) => x.WithKey(key.Name, t))
-                : Automatic(key.Name, label, x => x.Key(key.Name), (x, t) => x.WithKey(key.Name, t)));
-        }
+        string Name() => FeatureEdit.NameOf(editing, f);
 
-        return new(feature.Name, cells) { Columns = ToleranceColumns };
-
-        TextField Automatic(string field, string label, Func<FeatureDraft, string> get, Func<FeatureDraft, string, FeatureDraft> set) =>
-            new(editing, DraftPaths.Feature(f, field), label, d => get(d.Features[f]), (d, t) => d.WithFeature(f, x => set(x, t)))
-            {
-                Default = Texts.Current["System.Automatic"],
-                MayBeEmpty = _ => true,
-                Row = () => FeatureEdit.NameOf(editing, f)
-            };
-
-        TextField Text(string field, string label, Func<FeatureDraft, string> get, Func<FeatureDraft, string, FeatureDraft> set) =>
-            new(editing, DraftPaths.Feature(f, field), label, d => get(d.Features[f]), (d, t) => d.WithFeature(f, x => set(x, t)))
-            {
-                Row = () => FeatureEdit.NameOf(editing, f)
-            };
-
-        ChoiceField Choice(
-            string field,
-            string label,
-            IReadOnlyList<string> words,
-            Func<FeatureDraft, string> get,
-            Func<FeatureDraft, string, FeatureDraft> set) =>
-            new(editing, DraftPaths.Feature(f, field), label, words, d => get(d.Features[f]), (d, t) => d.WithFeature(f, x => set(x, t)))
-            {
-                Row = () => FeatureEdit.NameOf(editing, f)
-            };
+        TextField Text(string path, string label) => new(editing, path, label) { Row = Name };
     }
 
-    private FieldRow Row(string name, int index, Func<MatingDraft, MatingDraft> without, IReadOnlyList<EditField> cells) =>
-        new(
+    // The rows of a list, with the fields of an item given the paths of its keys.
+    private FieldRow[] Rows(string name, string list, Func<Func<string, string>, IReadOnlyList<EditField>> cells) =>
+    [
+        .. Enumerable.Range(0, editing.Draft.Count(list)).Select(i => new FieldRow(
             "",
-            cells,
-            new(() => editing.Change("", without), () => editing.CanEdit),
-            string.Create(CultureInfo.InvariantCulture, $"{name}-{index}-remove"));
+            cells(key => DraftPaths.Item(list, i, key)),
+            new(() => editing.Change("", d => d.WithoutItem(list, i)), () => editing.CanEdit),
+            string.Create(CultureInfo.InvariantCulture, $"{name}-{i}-remove"))),
+    ];
 
-    private TextField Link(
-        int i, string field, string label, Func<ChainLinkDraft, string> get, Func<ChainLinkDraft, string, ChainLinkDraft> set) =>
-        new(
-            editing,
-            At("toleranceChain", i, field),
-            label,
-            d => get(d.Chain[i]),
-            (d, t) => d with { Chain = d.Chain.Replaced(i, set(d.Chain[i], t)) })
+    // A field of an item, whose row is called as the item.
+    private TextField Named(Func<string, string> at, string key, string label) =>
+        new(editing, at(key), label) { Row = () => editing.Draft[at("name")] };
+
+    // Default and necessity are those of the job's schema.
+    private TextField Text(string path, string label, string? otherwise = null)
+    {
+        var dot = path.LastIndexOf('.');
+        var isRequired = MatingDraft.PlaceOf(path[..dot]).Requires(path[(dot + 1)..]);
+        return new(editing, path, label)
         {
-            Row = () => editing.Draft.Chain.ElementAtOrDefault(i)?.Name ?? "",
+            Default = otherwise ?? (MatingDraft.PlaceOf(path).Default is { Length: > 0 } stated ? stated : null),
+            MayBeEmpty = d => MayBeEmpty(d, path, isRequired),
         };
-
-    private TextField Comparison(
-        int i, string field, string label, Func<ComparisonDraft, string> get, Func<ComparisonDraft, string, ComparisonDraft> set) =>
-        new(
-            editing,
-            At("verify", i, field),
-            label,
-            d => get(d.Comparisons[i]),
-            (d, t) => d with { Comparisons = d.Comparisons.Replaced(i, set(d.Comparisons[i], t)) })
-        {
-            Row = () => editing.Draft.Comparisons.ElementAtOrDefault(i)?.Name ?? "",
-        };
-
-    private TextField Contribution(
-        int i, string field, string label, Func<ContributionDraft, string> get, Func<ContributionDraft, string, ContributionDraft> set) =>
-        new(
-            editing,
-            At("gauge.uncertaintyMm", i, field),
-            label,
-            d => get(d.Gauge.Contributions[i]),
-            (d, t) => d with
-            {
-                Gauge = d.Gauge with { Contributions = d.Gauge.Contributions.Replaced(i, set(d.Gauge.Contributions[i], t)) }
-            })
-        {
-            Row = () => editing.Draft.Gauge.Contributions.ElementAtOrDefault(i)?.Name ?? "",
-        };
-
-    private TextField Text(string path, string label, Func<MatingDraft, string> get, Func<MatingDraft, string, MatingDraft> set) =>
-        new(editing, path, label, get, set);
-
-    // The defaults are those of the job's schema.
-    private TextField Text(
-        string path, string label, string? otherwise, Func<MatingDraft, string> get, Func<MatingDraft, string, MatingDraft> set) =>
-        new(editing, path, label, get, set) { Default = otherwise, MayBeEmpty = d => MayBeEmpty(d, path) };
+    }
 
     // One coordinate requires the other, and a point its limit.
-    private static bool MayBeEmpty(MatingDraft draft, string path) => path switch
+    private static bool MayBeEmpty(MatingDraft draft, string path, bool isRequired) => path switch
     {
-        "$.counterpart.frame.translateMm[0]" or "$.counterpart.frame.translateMm[1]" =>
-            draft.Counterpart.TranslateX.Length + draft.Counterpart.TranslateY.Length == 0,
-        "$.originCheck.point" or "$.originCheck.limitMm" => draft.OriginPoint.Length + draft.OriginLimit.Length == 0,
-        "$.gauge.stylusDiameterMm" => draft.Gauge.Reports == "contact",
-        "$.counterpart.measured" => draft.Compensation.From == "part",
-        _ => true,
+        DraftPaths.TranslateX or DraftPaths.TranslateY =>
+            draft[DraftPaths.TranslateX].Length + draft[DraftPaths.TranslateY].Length == 0,
+        DraftPaths.OriginPoint or DraftPaths.OriginLimit =>
+            draft[DraftPaths.OriginPoint].Length + draft[DraftPaths.OriginLimit].Length == 0,
+        DraftPaths.StylusDiameter => draft.Word(DraftPaths.Reports) == "contact",
+        DraftPaths.CounterpartMeasured => draft.Word(DraftPaths.From) == "part",
+        _ => !isRequired,
     };
 
-    private ChoiceField Choice(
-        string path,
-        string label,
-        IReadOnlyList<string> words,
-        Func<MatingDraft, string> get,
-        Func<MatingDraft, string, MatingDraft> set) =>
-        new(editing, path, label, words, get, set);
+    private ChoiceField Choice(string path, string label) => new(editing, path, label);
 
-    private SwitchField Switch(string path, string label, Func<MatingDraft, bool> get, Func<MatingDraft, bool, MatingDraft> set) =>
-        new(editing, path, label, get, set);
+    // One of the words of a list.
+    private SwitchField Lock(string word, string name, string label) => new(
+        editing,
+        DraftPaths.Alignment + "." + name,
+        label,
+        d => Locked(d).Contains(word, StringComparer.Ordinal),
+        (d, on) => d.With(DraftPaths.Locked, string.Join(", ", on ? Locked(d).Append(word) : Locked(d).Where(w => w != word))));
+
+    private static string[] Locked(MatingDraft draft) => draft[DraftPaths.Locked].Split(", ", StringSplitOptions.RemoveEmptyEntries);
 }

@@ -26,27 +26,18 @@ internal sealed class SystemViewModel : SetupViewModel
         _running = new(this, shell);
         _running.Shown += OnDetailChanged;
         _files = new(this, shell);
-        Points = new(Editing, "$.part.theoretical", "System.Coordinates");
-        Program = new(Editing, MatingDraftCheck.Program, "System.Program");
-        Dialect = new(Editing, "$.counterpart.dialect", "System.Program");
-        Rules = new(Editing, "$.recognition", "System.Gauge");
+        Points = new(Editing, DraftPaths.Theoretical, "System.Coordinates");
+        Program = new(Editing, DraftPaths.Program, "System.Program");
+        Dialect = new(Editing, DraftPaths.Dialect, "System.Program");
+        Rules = new(Editing, DraftPaths.Recognition, "System.Gauge");
         AddPoint = Doing(AddOtherPoint);
         RemovePoint = new(
             () => Editing.Change("", d => d with { OtherPoints = d.OtherPoints.Without(d.OtherPoints.Count - 1) }),
             () => Editing.CanEdit && Editing.Draft.OtherPoints.Count > 0);
-        AddLink = Doing(() => Editing.Change("", d => d with { Chain = [.. d.Chain, new()] }));
+        AddLink = Doing(() => Editing.Change("", d => d.WithItem(DraftPaths.Chain)));
         SameLimits = new(() => Editing.Change("", d => d.WithSameLimits()), () => Editing.CanEdit && Editing.Draft.Features.Count > 1);
-        AddComparison = Doing(() => Editing.Change("", d => d with { Comparisons = [.. d.Comparisons, new()] }));
-        AddContribution = Doing(() => Editing.Change(
-            "",
-            d => d with
-            {
-                Gauge = d.Gauge with
-                {
-                    Contributions = [.. d.Gauge.Contributions, new("", d.Gauge.Contributions.Count == 0 ? d.Gauge.Uncertainty : "")],
-                    Uncertainty = ""
-                }
-            }));
+        AddComparison = Doing(() => Editing.Change("", d => d.WithItem(DraftPaths.Comparisons)));
+        AddContribution = Doing(() => Editing.Change("", WithContribution));
         Back = new(() => _running.Detail = null);
         Begin();
         Editing.Begun += GoToFirstSide;
@@ -97,12 +88,12 @@ internal sealed class SystemViewModel : SetupViewModel
     /// <summary>Problems with the source rules, which cannot be edited.</summary>
     public NoteField Rules { get; }
 
-    public string ProgramText => Editing.Draft.Counterpart.Program.Length == 0 ? Texts.Current["System.NoProgram"]
+    public string ProgramText => Editing.Draft[DraftPaths.Program].Length == 0 ? Texts.Current["System.NoProgram"]
         : Editing.Draft.Program is { } program
-            ? Texts.Current.With("System.ProgramImported", Editing.Draft.Counterpart.Program, Shown.Count(program.Bytes.Length))
-        : Editing.Draft.Counterpart.Program;
+            ? Texts.Current.With("System.ProgramImported", Editing.Draft[DraftPaths.Program], Shown.Count(program.Bytes.Length))
+        : Editing.Draft[DraftPaths.Program];
 
-    public string DialectText => Texts.Current.With("System.Dialect", Editing.Draft.Counterpart.Dialect);
+    public string DialectText => Texts.Current.With("System.Dialect", Editing.Draft[DraftPaths.Dialect]);
 
     public IReadOnlyList<BlocksRow> Blocks => _picking.Rows;
 
@@ -172,7 +163,7 @@ internal sealed class SystemViewModel : SetupViewModel
 
     protected override int OpenSide => Side;
 
-    protected override IEnumerable<EditField> Fields =>
+    protected internal override IEnumerable<EditField> Fields =>
     [
         Points, .. Coordinates.SelectMany(c => c.Fields), Program, Dialect, .. Blocks.Select(b => b.Blocks),
         .. Tolerances.Concat(Chain).SelectMany(r => r.Cells), .. Frame, .. Alignment, .. Compensation,
@@ -189,8 +180,9 @@ internal sealed class SystemViewModel : SetupViewModel
 
     protected override string ShapeOf(MatingDraft draft) =>
         string.Join('|', draft.Features.Select(f => $"{f.Kind} {f.Name} {f.Tolerance} {string.Join(' ', f.Flanks.Select(k => k.Count))}"))
-        + $"/{draft.OtherPoints.Count}/{draft.Chain.Count}/{string.Join(' ', draft.Comparisons.Select(c => c.Quantity))}"
-        + $"/{draft.Gauge.Contributions.Count}/{draft.Gauge.FormatJson.Length}/{draft.Alignment.Kind}"
+        + $"/{draft.OtherPoints.Count}/{draft.Count(DraftPaths.Chain)}/{string.Join(' ', Quantities(draft))}"
+        + $"/{draft.Count(DraftPaths.Uncertainty)}/{draft[DraftPaths.Format].StartsWith('{')}/{draft[DraftPaths.AlignmentKind]}"
+        + $"/{draft[DraftPaths.Rule]}"
         + $"/{draft.Points.Any(p => p.Z.Length > 0) || draft.Features.Any(f => f.Plane != "XY")}";
 
     protected override void MakeRows()
@@ -279,6 +271,16 @@ internal sealed class SystemViewModel : SetupViewModel
 
     // A new job starts on the first tab.
     private void GoToFirstSide() => Turn(0);
+
+    private static IEnumerable<string> Quantities(MatingDraft draft) =>
+        Enumerable.Range(0, draft.Count(DraftPaths.Comparisons))
+            .Select(i => draft[DraftPaths.Item(DraftPaths.Comparisons, i, DraftPaths.Quantity)]);
+
+    // What was stated as a whole becomes the first contribution.
+    private static MatingDraft WithContribution(MatingDraft draft) =>
+        draft.Count(DraftPaths.Uncertainty) is var count && draft.WithItem(DraftPaths.Uncertainty) is var added && count > 0
+            ? added
+            : added.With(DraftPaths.Item(DraftPaths.Uncertainty, 0, DraftPaths.ContributionValue), draft[DraftPaths.Uncertainty]);
 
     private Command Doing(Action act) => new(act, () => Editing.CanEdit);
 
