@@ -129,6 +129,50 @@ public sealed class MatingDraftFilesTests
                 .Distinct()
                 .Order(StringComparer.Ordinal));
 
+    [Theory]
+    [InlineData("$.name", "Housing ", "  \"name\": \"Housing\",")]
+    [InlineData("$.name", "12", "  \"name\": \"12\",")]
+    [InlineData("$.name", "", "  \"name\": \"\",")]
+    [InlineData("$.workOrder", " ", null)]
+    [InlineData("$.counterpart.toolDiameterMm", "06.", "\"toolDiameterMm\": 6,")]
+    [InlineData("$.counterpart.toolDiameterMm", "6 mm", "\"toolDiameterMm\": \"6 mm\",")]
+    [InlineData("$.counterpart.toolDiameterMm", "", "\"toolDiameterMm\": \"\",")]
+    [InlineData("$.counterpart.frame.translateMm[1]", "+.50", "\"translateMm\": [0, 0.50]")]
+    [InlineData("$.features[0].blocks", "N120, ", "\"blocks\": [\"N120\"],")]
+    [InlineData("$.features[0].blocks", "N120 N121..N130", "\"blocks\": [\"N120\", \"N121..N130\"],")]
+    [InlineData("$.features[2].degree", "2", "\"degree\": 2,")]
+    [InlineData("$.originCheck.point", "O", "  \"originCheck\": { \"point\": \"O\", \"limitMm\": \"\" },")]
+    public void A_text_is_kept_as_typed_and_written_as_it_is_meant(string path, string typed, string? written)
+    {
+        var draft = MatingDraftFiles.Open(Repository.PathTo("samples", "complex-mating", "job.json")).With(path, typed);
+        Assert.Equal(typed, draft[path]);
+        var job = Encoding.UTF8.GetString(MatingDraftFiles.Job(draft));
+        Assert.Contains(written ?? "{", job, StringComparison.Ordinal);
+        var key = path[(path.LastIndexOf('.') + 1)..].Split('[')[0];
+        Assert.Equal(written is not null, job.Contains($"\"{key}\"", StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public void Keys_of_another_choice_are_not_written_and_are_there_when_it_is_chosen_again()
+    {
+        var draft = MatingDraftFiles.Open(Repository.PathTo("samples", "complex-mating", "job.json"))
+            .With("$.alignment.kind", "datum")
+            .With("$.alignment.origin", "1")
+            .With("$.alignment.direction", "2");
+        var none = draft.With("$.alignment.kind", "none");
+        Assert.Contains("\"alignment\": { \"kind\": \"none\" },", Written(none), StringComparison.Ordinal);
+        Assert.Equal(Written(draft), Written(none.With("$.alignment.kind", "datum")));
+
+        // What a new item needs is written without its texts, so that the job's reader says at which fields they are missing.
+        var added = draft.WithItem("$.toleranceChain").WithItem("$.verify");
+        Assert.Contains(
+            """{ "name": "", "nominalMm": "", "toleranceMm": ["", ""], "sign": 1 }""", Written(added), StringComparison.Ordinal);
+        Assert.Contains("""{ "name": "", "quantity": "angle", "between": [] }""", Written(added), StringComparison.Ordinal);
+        Assert.Equal(Written(draft), Written(added.WithoutItem("$.toleranceChain", 0).WithoutItem("$.verify", 2)));
+
+        static string Written(MatingDraft draft) => Encoding.UTF8.GetString(MatingDraftFiles.Job(draft));
+    }
+
     [Fact]
     public void A_column_that_a_draft_has_no_field_for_is_refused()
     {
