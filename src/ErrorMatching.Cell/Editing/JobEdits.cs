@@ -208,7 +208,8 @@ public sealed class JobEdits(CellSettings settings, CellStore store, UserBook us
     /// <exception cref="StoreException">The store is unavailable, or a content is damaged.</exception>
     /// <exception cref="JobEditException">A file of the job was not stored with it.</exception>
     /// <exception cref="InputException">The job is no longer usable. Its theoretical points are no longer usable.</exception>
-    /// <exception cref="DraftException">The job contains something that a draft cannot represent and would lose.</exception>
+    /// <exception cref="DraftException">The theoretical points have columns that a draft cannot represent and would
+    /// lose.</exception>
     public MatingDraft Open(CellJobSettings job, JobVersion version)
     {
         ArgumentNullException.ThrowIfNull(job);

@@ -190,7 +190,6 @@ public sealed record OutlineJob
     /// <summary>A draft with the outline: its features with their blocks, frame, tool and program. What a drawing does not say, stays as
     /// the draft has it; limits, which were for other features, are empty.</summary>
     /// <param name="draft">The draft.</param>
-    /// <exception cref="DraftException">The job contains something that a draft cannot represent.</exception>
     public MatingDraft Into(MatingDraft draft)
     {
         ArgumentNullException.ThrowIfNull(draft);

@@ -156,14 +156,6 @@ internal sealed class OutlineChoice : Observable
             {
                 var outcome = OutlineJob.Make(request, CancellationToken.None);
                 (job, refusal) = (outcome.Result, outcome.Refusal);
-                try
-                {
-                    job?.Into(_draft);
-                }
-                catch (DraftException e)
-                {
-                    (job, refusal) = (null, new("outline-not-laid", e.Message));
-                }
             },
             _clock);
         if (layer == _layer)
