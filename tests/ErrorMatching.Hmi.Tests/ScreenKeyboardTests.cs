@@ -185,7 +185,7 @@ public sealed class ScreenKeyboardTests
             });
             Assert.True(covered.Count == 0, string.Join('\n', covered));
             Assert.True(fields > 25, $"{fields} fields");
-            Assert.True(digits > 3, $"{digits} fields for numbers");
+            Assert.True(digits > 15, $"{digits} fields for numbers");
         },
         new(width, height));
 

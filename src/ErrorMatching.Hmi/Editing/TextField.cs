@@ -40,6 +40,9 @@ internal sealed class TextField(
     /// <summary>Text key of an example input, or null.</summary>
     public string? Example { get; init; }
 
+    /// <summary>True if the job wants a number here.</summary>
+    public bool IsNumber { get; } = MatingDraft.PlaceOf(path) is { TakesNumbers: true, TakesTexts: false };
+
     public string Placeholder =>
         IsToFillIn
             ? Texts.Current["Setup.FillIn"]

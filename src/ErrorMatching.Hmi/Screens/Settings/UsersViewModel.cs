@@ -107,6 +107,12 @@ internal sealed class UsersViewModel : ScreenViewModel
     public bool TakesPin =>
         !IsNew && TakesPassword && (Station.Session.Ways & (SignInWays.Pin | SignInWays.BadgeWithPin)) != SignInWays.Password;
 
+    /// <summary>What is typed twice, in words.</summary>
+    public string PasswordLabel => Texts.Current[TakesPin ? "Users.PasswordOrPin" : "Users.Password"];
+
+    /// <summary>What it must be like, in words.</summary>
+    public string PasswordRule => Texts.Current[TakesPin ? "Users.PinRule" : "Users.PasswordRule"];
+
     /// <summary>True if the cell takes badges, and one can be bound to the chosen user here.</summary>
     public bool TakesBadge => IsChanging && (Station.Session.Ways & (SignInWays.Badge | SignInWays.BadgeWithPin)) != SignInWays.Password;
 
