@@ -48,11 +48,11 @@ public sealed class CredentialTests : PeopleTest
         Users.SetBadge(Anna(), "Ben", Badge);
         Assert.Equal("Anna badge-set Ben", Trail[^1]);
         Users.SignInByPin("ben", Pin, null);
-        Assert.Equal("Ben signed-in by PIN, as setter", Trail[^1]);
+        Assert.Equal("Ben signed-in signed-in-by-pin(setter)", Trail[^1]);
         Users.SignInByBadge(Badge);
-        Assert.Equal("Ben signed-in by badge, as setter", Trail[^1]);
+        Assert.Equal("Ben signed-in signed-in-by-badge(setter)", Trail[^1]);
         Users.SignInByPin("ben", Pin, Badge);
-        Assert.Equal("Ben signed-in by badge and PIN, as setter", Trail[^1]);
+        Assert.Equal("Ben signed-in signed-in-by-badge-and-pin(setter)", Trail[^1]);
         Users.RemovePin(Users.SignIn("Ben", Other), "Ben");
         Assert.Equal("Ben pin-removed Ben", Trail[^1]);
         Users.RemoveBadge(Anna(), "Ben");
@@ -126,7 +126,7 @@ public sealed class CredentialTests : PeopleTest
             Refused(PeopleError.SignInRefused, () => Users.SignInByPin("Ben", OtherPin, null));
         }
 
-        Assert.Equal("Ben sign-in-failed wrong PIN, 3 in a row", Trail[^1]);
+        Assert.Equal("Ben sign-in-failed wrong-pin(3)", Trail[^1]);
         Refused(PeopleError.SignInRefused, () => Users.SignIn("Ben", "not the password"));
         Assert.NotNull(Refused(PeopleError.SignInRefused, () => Users.SignInByPin("Ben", OtherPin, null)).LockedUntil);
         Refused(PeopleError.LockedOut, () => Users.SignInByPin("Ben", Pin, null));
@@ -145,14 +145,14 @@ public sealed class CredentialTests : PeopleTest
             Refused(PeopleError.SignInRefused, () => Users.SignInByBadge($"stranger {number}"));
         }
 
-        Assert.Contains("a badge of nobody, 5 in a row", Trail[^1], StringComparison.Ordinal);
+        Assert.Contains("no-such-badge(5)", Trail[^1], StringComparison.Ordinal);
         Assert.NotNull(Refused(PeopleError.LockedOut, () => Users.SignInByBadge(Badge)).LockedUntil);
         Refused(PeopleError.LockedOut, () => Users.FindBadge(Badge));
         Assert.Equal("Ben", Users.SignIn("Ben", Other).Name);
         Clock.Pass(TimeSpan.FromSeconds(31));
         Assert.Equal("Ben", Users.SignInByBadge(Badge).Name);
         Refused(PeopleError.SignInRefused, () => Users.SignInByBadge("stranger 9"));
-        Assert.Contains("1 in a row", Trail[^1], StringComparison.Ordinal);
+        Assert.Contains("no-such-badge(1)", Trail[^1], StringComparison.Ordinal);
     }
 
     [Fact]

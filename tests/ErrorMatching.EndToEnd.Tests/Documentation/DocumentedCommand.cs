@@ -15,7 +15,7 @@ internal sealed partial record DocumentedCommand(string Line, int Exit, IReadOnl
     public IReadOnlyList<string> Typed => [
         .. Shown.Select(l => Question().Match(l))
             .Where(m => m.Success && !m.Groups["again"].Success)
-            .Select(m => "a long password of " + m.Groups["name"].Value)];
+            .Select(m => m.Groups["pin"].Success ? "502817" : "a long password of " + m.Groups["name"].Value)];
 
     /// <summary>What the page shows besides those questions.</summary>
     public IReadOnlyList<string> Printed => [.. Shown.Where(l => !Question().IsMatch(l))];
@@ -45,7 +45,8 @@ internal sealed partial record DocumentedCommand(string Line, int Exit, IReadOnl
         return commands;
     }
 
-    [GeneratedRegex("^(New p|P)assword (of|at) (?<name>\\S+)(?<again> again)?:$", RegexOptions.ExplicitCapture, 1000)]
+    [GeneratedRegex(
+        "^((New p|P)assword|New (?<pin>PIN)|Badge) (of|at) (?<name>\\S+)(?<again> again)?:$", RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Question();
 
     [GeneratedRegex("```console\n(?<lines>.*?)```", RegexOptions.Singleline | RegexOptions.ExplicitCapture, 1000)]

@@ -30,7 +30,8 @@ internal sealed class Pictures(Seat seat)
                 Texts.Current.Language = language;
                 seat.User.Settle();
                 seat.WaitFor(settled ?? (() => true), $"{name} is not made anew in another language.");
-                _problems.AddRange((isMeasured ? Layout.Problems(seat.Window) : []).Select(p => $"{name} {size.Width}x{size.Height} {code}: {p}"));
+                _problems.AddRange(
+                    (isMeasured ? Layout.Problems(seat.Window) : []).Select(p => $"{name} {size.Width}x{size.Height} {code}: {p}"));
                 foreach (var isDark in new[] { false, true })
                 {
                     if (IsPictured(isPictured, size.Width > 1500, language == Language.TraditionalChinese, isDark))
