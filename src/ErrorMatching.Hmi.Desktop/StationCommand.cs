@@ -41,15 +41,15 @@ internal static class StationCommand
         var chinese = new Option<bool>("--chinese") { Description = "Begin in Traditional Chinese." };
         var dark = new Option<bool>("--dark") { Description = "Begin light on dark." };
         var full = new Option<bool>("--full-screen") { Description = "Fill the screen." };
-        var scale = new Option<int>("--scale")
+        var scale = new Option<int?>("--scale")
         {
-            Description = "Size of everything in percent, 100 to 200; on Windows in addition to the system's own setting.",
-            HelpName = "PERCENT",
-            DefaultValueFactory = _ => Least
+            Description = "Size of everything in percent, 100 to 200. Without it, as large as the monitor's size asks for; on Windows in "
+                + "addition to the system's own setting.",
+            HelpName = "PERCENT"
         };
         scale.Validators.Add(result =>
         {
-            if (result.GetValueOrDefault<int>() is < Least or > Most)
+            if (result.GetValueOrDefault<int?>() is < Least or > Most)
             {
                 result.AddError(string.Create(CultureInfo.InvariantCulture, $"--scale is out of range; expected {Least} to {Most}."));
             }
@@ -70,7 +70,7 @@ internal static class StationCommand
         return command;
     }
 
-    private static int Run(string? config, bool isDemo, StationLook look, double scaling, StationLog log)
+    private static int Run(string? config, bool isDemo, StationLook look, double? scaling, StationLog log)
     {
         if (isDemo == config is not null)
         {
@@ -125,7 +125,7 @@ internal static class StationCommand
     }
 
     // A restart does not help, so the sentence stays until somebody has read it: in a window, if nobody sees the error stream.
-    private static int Refuse(string sentence, int exit, double scaling, StationLog log)
+    private static int Refuse(string sentence, int exit, double? scaling, StationLog log)
     {
         log.Fail(sentence);
         if (!OperatingSystem.IsWindows() && Console.IsErrorRedirected)

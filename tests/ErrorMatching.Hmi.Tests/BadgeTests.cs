@@ -125,6 +125,22 @@ public sealed class BadgeTests
     });
 
     [Fact]
+    public Task A_badge_that_comes_too_late_is_shown_nowhere() => At("badge", seat =>
+    {
+        seat.SignIn(DemoCell.Administrator).Tap("nav-overview");
+        Scan(seat, Badge, isAnnounced: true);
+        seat.WaitFor(() => seat.Shell.Scanning.IsCompleted, "The badge is not taken.");
+        Assert.Equal(ScreenKeys.Overview, seat.Shell.Chosen!.Screen.Key);
+        Scan(seat, "0001", isAnnounced: true);
+        seat.WaitFor(() => seat.Shell.Current is HistoryViewModel { WorkOrder: "0001" }, "A code of a piece is not searched for.");
+        Scan(seat, Badge, isAnnounced: true);
+        seat.WaitFor(() => seat.Shell.Scanning.IsCompleted, "The badge is not taken.");
+        Assert.Equal(
+            ("", "0001"),
+            seat.Shell.Current is HistoryViewModel history ? (history.Serial, history.WorkOrder) : default);
+    });
+
+    [Fact]
     public Task A_cell_that_takes_no_badges_takes_a_fast_password() => Seat.AtAsync(seat =>
     {
         seat.Tap("login-user-" + DemoCell.Setter);

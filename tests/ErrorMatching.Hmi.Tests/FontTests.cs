@@ -7,6 +7,20 @@ namespace ErrorMatching.Hmi.Tests;
 
 public sealed class FontTests
 {
+    [Theory]
+    [InlineData("0.05x0.05")]
+    [InlineData("N10->N20")]
+    [InlineData("G1 X-5 <= 3 != 4 --> (a) :=")]
+    public Task Each_sign_of_data_is_shown_as_it_is(string text) => Seat.AtAsync(_ =>
+    {
+        var typeface = new Typeface(FontFamily.Default);
+        Assert.Equal(text.SelectMany(c => Glyphs(c.ToString())), Glyphs(text));
+
+        IEnumerable<ushort> Glyphs(string t) => new TextLayout(t, typeface, 16, Brushes.Black).TextLines[0].TextRuns
+            .OfType<ShapedTextRun>()
+            .SelectMany(r => Enumerable.Range(0, r.ShapedBuffer.Length).Select(i => r.ShapedBuffer[i].GlyphIndex));
+    });
+
     [Fact]
     public Task Chinese_is_written_in_the_forms_of_Taiwan_and_as_bold_as_the_rest() => Seat.AtAsync(_ =>
     {

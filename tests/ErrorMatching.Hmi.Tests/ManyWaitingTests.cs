@@ -29,6 +29,44 @@ public sealed class ManyWaitingTests
         },
         prepare: folder => Propose(folder, Few));
 
+    [Fact]
+    public Task What_a_filter_lists_is_rejected_with_one_reason_and_nothing_else_is() => Seat.AtAsync(
+        seat =>
+        {
+            seat.SignIn(DemoCell.Operator);
+            seat.WaitFor(() => seat.Station.State.Status is not null, "The cell is not seen.");
+            seat.Tap("nav-compensation");
+            var page = (CompensationViewModel)seat.Shell.Current!;
+            Assert.False(page.CanRejectShown);
+            Assert.Null(seat.Find("reject-shown"));
+            seat.Type("corrections-filter", "· 12 vmc1");
+            Assert.Equal([12L, 112L, .. Enumerable.Range(120, 10).Select(i => (long)i)], page.Rows.Select(r => r.Id));
+            Assert.Equal($"12 of {Few}", seat.TextOf("corrections-listed"));
+            seat.Tap("reject-shown").See("signing-reason");
+            Assert.Equal("12 corrections", seat.TextOf("signing-subject"));
+            Assert.Equal(12, seat.Shell.Signing!.Facts.Count);
+
+            // Somebody decides one of them meanwhile.
+            new CorrectionDecisions(seat.Station.Store).Approve(125, DemoCell.Setter, null);
+            seat.Type("signing-reason", "probe was loose").Tap("signing-confirm");
+            seat.WaitFor(() => seat.Station.Store.Find(129)!.State == CorrectionState.Rejected, "They are not rejected.");
+            seat.WaitFor(() => page.Undone is not null, "What was not rejected is not told.");
+            Assert.Contains("1 of 12", page.Undone, StringComparison.Ordinal);
+            Assert.All(
+                Enumerable.Range(1, Few),
+                i =>
+                {
+                    var correction = seat.Station.Store.Find(i)!;
+                    var isMeant = i is 12 or 112 or (>= 120 and <= 129 and not 125);
+                    var left = i == 125 ? CorrectionState.Approved : CorrectionState.Proposed;
+                    Assert.Equal(isMeant ? CorrectionState.Rejected : left, correction.State);
+                    Assert.Equal(isMeant ? "probe was loose" : null, isMeant ? correction.Reason : null);
+                });
+            seat.Type("corrections-filter", "");
+            seat.WaitFor(() => page.Rows.Count == Few - 11, "The rejected ones are still listed.");
+        },
+        prepare: folder => Propose(folder, Few));
+
     [Theory]
     [InlineData(1_050)]
     [InlineData(Many)]

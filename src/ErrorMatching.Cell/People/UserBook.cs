@@ -160,6 +160,10 @@ public sealed class UserBook
         return person?.Name ?? throw RefusedBadge(failures, lockedUntil);
     }
 
+    /// <summary>True if a code is somebody's badge. It counts as no attempt, so that codes of pieces can be told from badges.</summary>
+    /// <exception cref="PeopleException">With <see cref="PeopleError.Tampered"/>.</exception>
+    public bool IsBadge(string code) => _store.Write(t => CredentialRow.FindBadge(t, Credentials.BadgeHash(KeyOf(t), code)) is not null);
+
     /// <summary>Signs in by badge alone.</summary>
     /// <exception cref="PeopleException">With <see cref="PeopleError.SignInRefused"/>, <see cref="PeopleError.LockedOut"/> after too many
     /// badges of nobody, <see cref="PeopleError.UserDisabled"/> or <see cref="PeopleError.Tampered"/>.</exception>

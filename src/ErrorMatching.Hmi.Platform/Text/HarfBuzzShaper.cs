@@ -12,6 +12,7 @@ namespace ErrorMatching.Hmi.Platform;
 /// <summary>Turns text into glyphs with HarfBuzz.</summary>
 internal sealed class HarfBuzzShaper : ITextShaperImpl
 {
+    private static readonly Feature[] AsWritten = [new(Tag.Parse("calt"), 0, 0, uint.MaxValue)];
     private readonly ConcurrentDictionary<string, Language> _languages = new(StringComparer.Ordinal);
 
     [ThreadStatic]
@@ -63,22 +64,14 @@ internal sealed class HarfBuzzShaper : ITextShaperImpl
         return shaped;
     }
 
-    private static Feature[] Features(TextShaperOptions options)
-    {
-        if (options.FontFeatures is not { Count: > 0 } wanted)
-        {
-            return [];
-        }
-
-        var features = new Feature[wanted.Count];
-        for (var i = 0; i < features.Length; i++)
-        {
-            features[i] = new Feature(
-                Tag.Parse(wanted[i].Tag), (uint)wanted[i].Value, (uint)wanted[i].Start, (uint)wanted[i].End);
-        }
-
-        return features;
-    }
+    // Contextual alternates make another sign of 0.05x0.05 or ->, and here each sign is shown as it stands in its file. What the text wants
+    // comes last, and so goes before.
+    private static Feature[] Features(TextShaperOptions options) =>
+        options.FontFeatures is not { Count: > 0 } wanted ? AsWritten
+            : [
+                .. AsWritten,
+                .. wanted.Select(w => new Feature(Tag.Parse(w.Tag), (uint)w.Value, (uint)w.Start, (uint)w.End)),
+            ];
 
     // All state is in SkiaTypeface.
     private sealed class Stateless : ITextShaperTypeface

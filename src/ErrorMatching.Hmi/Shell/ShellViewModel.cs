@@ -194,8 +194,12 @@ public sealed class ShellViewModel : Observable, IDisposable
     /// <summary>True if a scanned code is a badge now, also if a field has the focus: somebody signs in or signs, and the cell takes
     /// badges.</summary>
     public bool TakesBadge =>
-        (IsLocked || Signing is { NeedsPassword: true })
-            && (Station.Session.Ways & (SignInWays.Badge | SignInWays.BadgeWithPin)) != SignInWays.Password;
+        (IsLocked || Signing is { NeedsPassword: true }) && TakesBadges;
+
+    private bool TakesBadges => (Station.Session.Ways & (SignInWays.Badge | SignInWays.BadgeWithPin)) != SignInWays.Password;
+
+    /// <summary>Completes when the last code was taken.</summary>
+    internal Task Scanning { get; private set; } = Task.CompletedTask;
 
     /// <summary>Handles a code from a scanner. While somebody signs in or signs, it is a badge if the cell takes badges, and nothing
     /// otherwise. Else the open screen takes it if it accepts codes, otherwise the history.</summary>
@@ -212,12 +216,14 @@ public sealed class ShellViewModel : Observable, IDisposable
             return;
         }
 
-        if (_current is not ITakesCodes)
+        if (TakesBadges)
         {
-            Go(ScreenKeys.History);
+            Scanning = TakeAsync(code).Watched();
         }
-
-        (_current as ITakesCodes)?.TakeCode(code);
+        else
+        {
+            Take(code);
+        }
     }
 
     /// <summary>Lets the user choose a file or folder in a dialog.</summary>
@@ -296,6 +302,29 @@ public sealed class ShellViewModel : Observable, IDisposable
         _login?.Dispose();
         _current?.Dispose();
         Editing.Dispose();
+    }
+
+    // A badge that somebody shows too late is not searched for, where everybody could read it.
+    private async Task TakeAsync(string code)
+    {
+        var isBadge = false;
+        if (await Failures.OfAsync(() => isBadge = Station.Users.IsBadge(code), Station.Clock) is null
+            && !IsLocked
+            && IsFree
+            && (!isBadge || Chosen?.Screen.Key == ScreenKeys.Settings))
+        {
+            Take(code);
+        }
+    }
+
+    private void Take(string code)
+    {
+        if (_current is not ITakesCodes)
+        {
+            Go(ScreenKeys.History);
+        }
+
+        (_current as ITakesCodes)?.TakeCode(code);
     }
 
     // The last folder used. Without one, a demonstration opens files from the samples' folder, but does not write there.

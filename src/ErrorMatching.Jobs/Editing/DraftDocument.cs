@@ -253,7 +253,7 @@ public sealed partial class DraftDocument
         items ??= [];
         while (items.Count < Math.Max(index + 1, place.LeastItems))
         {
-            items.Add("");
+            items.Add((JsonNode)"");
         }
 
         items[index] = item ?? (items[index] is JsonObject ? new JsonObject() : "");

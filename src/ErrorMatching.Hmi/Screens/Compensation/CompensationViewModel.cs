@@ -15,6 +15,9 @@ internal sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     private (long Id, int Version, bool IsOfChangedJob) _shown = (0, -1, false);
     private bool _isAtWarnings;
     private HashSet<long> _heldUp = [];
+    private string _filter = "";
+    private int _all;
+    private Correction[] _rejectable = [];
 
     public CompensationViewModel(ShellViewModel shell)
         : base((shell ?? throw new ArgumentNullException(nameof(shell))).Station)
@@ -45,8 +48,33 @@ internal sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         Revert = new(
             () => Sign(k => RevertSigning.Of(_shell, k)),
             () => IsDecidable && _shell.Who is { } who && Rights.Allows(who.Role, Act.Revert) && RevertSigning.IsPossible(Detail?.Stored));
+        RejectShown = new(SignRejections, () => CanRejectShown);
         Refresh();
     }
+
+    /// <summary>What the numbers, serial numbers, files, jobs, machines, slots or states of the listed corrections must contain; empty
+    /// for all corrections.</summary>
+    public string Filter
+    {
+        get => _filter;
+        set
+        {
+            if (Set(ref _filter, value ?? ""))
+            {
+                Refresh();
+            }
+        }
+    }
+
+    /// <summary>How many of all are listed, in words; null without a filter.</summary>
+    public string? Listed => IsFiltered ? Texts.Current.With("Compensation.Listed", Shown.Count(Rows.Count), Shown.Count(_all)) : null;
+
+    /// <summary>Rejects all that are listed and not decided, with one reason. Approving stays one by one: each is looked at.</summary>
+    public Command RejectShown { get; }
+
+    /// <summary>True if the filter lists several that this user may reject.</summary>
+    public bool CanRejectShown =>
+        IsFiltered && _rejectable.Length > 1 && _shell.Who is { } who && Rights.Allows(who.Role, Act.Reject);
 
     /// <summary>Corrections waiting for a decision, on their way to a machine, or at one.</summary>
     public RowList<ListedCorrection> Rows { get; } = [];
@@ -288,16 +316,83 @@ internal sealed class CompensationViewModel : ScreenViewModel, ILooksAt
 
         // In the order of measuring, whatever their state, so that no row moves under a finger.
         Correction[] undecided = [.. status.Failed, .. status.Proposed], held = [.. status.Slots.Select(s => s.Held).OfType<Correction>()];
-        Rows.Show(
-            [
-                .. undecided.Concat(held)
-                    .Concat(status.Slots.SelectMany(s => s.Approved))
-                    .OrderBy(c => c.Turn)
-                    .ThenBy(c => c.Id)
-                    .Select(Row)]);
+        Correction[] all = [
+            .. undecided.Concat(held)
+                .Concat(status.Slots.SelectMany(s => s.Approved))
+                .OrderBy(c => c.Turn)
+                .ThenBy(c => c.Id)];
+        var listed = IsFiltered ? [.. all.Where(IsMeant)] : all;
+        _all = all.Length;
+        _rejectable = [.. listed.Where(c => CorrectionSteps.Allows(c.State, CorrectionState.Rejected))];
+        Rows.Show([.. listed.Select(Row)]);
         OnPropertyChanged(nameof(IsEmpty));
+        OnPropertyChanged(nameof(Listed));
+        OnPropertyChanged(nameof(CanRejectShown));
+        RejectShown.Refresh();
         var waiting = _shell.Who is { } who && !Rights.Allows(who.Role, Act.Approve) ? undecided.Concat(held) : undecided;
         Choose(_choice.Follow(Rows, waiting, status.InWork));
+    }
+
+    private bool IsFiltered => !string.IsNullOrWhiteSpace(Filter);
+
+    // Each word is somewhere in what the row says, or in where the program goes.
+    private bool IsMeant(Correction c)
+    {
+        string[] said = [
+            CorrectionLabel.Of(c), Station.JobNames.Of(c) ?? "", c.Job ?? "", Texts.Current.Word(c.State), c.Machine ?? "", c.Slot ?? ""];
+        return Filter.Split(' ', StringSplitOptions.RemoveEmptyEntries)
+            .All(w => said.Any(s => s.Contains(w, StringComparison.OrdinalIgnoreCase)));
+    }
+
+    private void SignRejections()
+    {
+        const int Most = 20;
+        var (meant, changed) = (_rejectable, 0);
+        var signing = new SigningViewModel(
+            Station,
+            _shell.Who!,
+            Act.Reject,
+            Texts.Current.With("Compensation.Corrections", Shown.Count(meant.Length)),
+            needsReason: true,
+            (by, reason, cancellation) =>
+            {
+                changed = 0;
+                foreach (var correction in meant)
+                {
+                    cancellation.ThrowIfCancellationRequested();
+
+                    // What somebody decided or recalculated meanwhile is not what was listed.
+                    if (Station.Store.Find(correction.Id)?.Version != correction.Version)
+                    {
+                        changed++;
+                        continue;
+                    }
+
+                    try
+                    {
+                        new CorrectionDecisions(Station.Store).Reject(correction.Id, by.Name, reason!);
+                    }
+                    catch (DecisionException)
+                    {
+                        changed++;
+                    }
+                }
+
+                return Task.CompletedTask;
+            })
+        {
+            TitleKey = "Compensation.RejectShown",
+            Known = () => [
+                .. meant.Take(Most).Select(
+                    c => new Fact(string.Join(" · ", [CorrectionLabel.Of(c), Station.JobNames.Of(c) ?? ""]), Severity.Quiet)),
+                .. meant.Length > Most
+                    ? [new Fact(Texts.Current.With("Compensation.AndMore", Shown.Count(meant.Length - Most)), Severity.Attention)]
+                    : Array.Empty<Fact>(),
+            ],
+        };
+        signing.Signed += () => Undone = changed == 0 ? null
+            : Texts.Current.With("Compensation.NotAllRejected", Shown.Count(changed), Shown.Count(meant.Length));
+        _shell.Sign(signing);
     }
 
     private bool IsOfChangedJob(long id) => Station.State.OfChangedJob.Contains(id);
