@@ -21,6 +21,9 @@ internal static class Credentials
     /// <summary>The most characters of a badge's code.</summary>
     public const int MostCharacters = 128;
 
+    /// <summary>After this time without a badge of nobody, the earlier ones are forgotten.</summary>
+    public static readonly TimeSpan BadgeMemory = TimeSpan.FromHours(2);
+
     /// <summary>The name under which failed badges are counted, whatever their codes: no user's name has this character.</summary>
     public const string AllBadges = "\u0001badges";
 

@@ -308,6 +308,7 @@ public sealed class UserBook
     {
         var failures = SignInFailures.Of(t, Credentials.AllBadges);
         failures = failures.Last > t.Now ? failures with { Last = t.Now } : failures;
+        failures = t.Now - failures.Last >= Credentials.BadgeMemory ? failures with { Failures = 0 } : failures;
         if (LockOut.Until(failures.Failures, failures.Last, t.Now) is { } until)
         {
             return (null, failures, until);
@@ -348,7 +349,12 @@ public sealed class UserBook
             throw Refusal(PeopleError.SignInRefused, "The user was changed at this moment.", null);
         }
 
-        SignInFailures.Forget(t, how == Recorded.SignedInByBadge ? Credentials.AllBadges : person.Name);
+        // Whoever has a badge must not unlock badges for guesses at those of others: these failures only grow old.
+        if (how != Recorded.SignedInByBadge)
+        {
+            SignInFailures.Forget(t, person.Name);
+        }
+
         if (freshHash is not null && pin is not null)
         {
             (pin with { Hash = freshHash }).Put(t);

@@ -151,7 +151,13 @@ public sealed class CredentialTests : PeopleTest
         Assert.Equal("Ben", Users.SignIn("Ben", Other).Name);
         Clock.Pass(TimeSpan.FromSeconds(31));
         Assert.Equal("Ben", Users.SignInByBadge(Badge).Name);
+
+        // Who has a badge does not unlock guesses at those of others.
         Refused(PeopleError.SignInRefused, () => Users.SignInByBadge("stranger 9"));
+        Assert.Contains("no-such-badge(6)", Trail[^1], StringComparison.Ordinal);
+        Refused(PeopleError.LockedOut, () => Users.SignInByBadge(Badge));
+        Clock.Pass(Credentials.BadgeMemory);
+        Refused(PeopleError.SignInRefused, () => Users.SignInByBadge("stranger 10"));
         Assert.Contains("no-such-badge(1)", Trail[^1], StringComparison.Ordinal);
     }
 
