@@ -91,6 +91,33 @@ public sealed class BadgeTests
     });
 
     [Fact]
+    public Task A_badge_is_never_recorded_as_a_reason() => At("badge", seat =>
+    {
+        Propose(seat);
+        seat.SignIn(DemoCell.Setter);
+        seat.Shell.Look(1);
+        seat.See("points");
+        seat.Tap("approve").See("signing-password");
+        Scan(seat, Badge, isAnnounced: false);
+        seat.WaitFor(1, CorrectionState.Verified);
+        seat.Cell.Deliver(2, 0.02);
+        seat.WaitFor(2, CorrectionState.Proposed);
+        new CorrectionDecisions(seat.Station.Store).Release(1, DemoCell.Setter, null);
+        new CorrectionDecisions(seat.Station.Store).Approve(2, DemoCell.Setter, null);
+        seat.WaitFor(2, CorrectionState.Verified);
+        seat.Shell.Look(2);
+        seat.WaitFor(() => seat.TextOf("detail-title") == "#2 · 0002", "The second one is not shown.");
+        seat.Tap("revert").Type("signing-reason", "chatter ");
+
+        // A person needs longer from one key to the next.
+        seat.User.Wait(TimeSpan.FromMilliseconds(200));
+        Scan(seat, Badge, isAnnounced: false);
+        Assert.Equal("chatter", seat.WaitFor(2, CorrectionState.Reverted).Reason);
+        Assert.DoesNotContain(
+            seat.Station.Store.AuditEntries(0, 1000), e => e.Basis.Text.Contains(Badge, StringComparison.Ordinal));
+    });
+
+    [Fact]
     public Task A_rejection_takes_a_reason_of_the_shop() => At("pin", seat =>
     {
         Propose(seat);

@@ -32,6 +32,9 @@ public sealed class Session(UserBook users, TimeProvider clock, TimeSpan idle, S
         }
     }
 
+    /// <summary>The fewest characters of a badge's code.</summary>
+    public const int LeastBadge = Credentials.LeastCharacters;
+
     /// <summary>How people may sign in besides by password.</summary>
     public SignInWays Ways => ways;
 

@@ -21,6 +21,7 @@ internal sealed class ScannedCode
 
     private readonly StringBuilder _code = new();
     private ulong _last;
+    private int _fastFrom;
     private bool _isByHand;
 
     /// <summary>True from the prefix to the end of its code.</summary>
@@ -52,10 +53,20 @@ internal sealed class ScannedCode
 
     /// <summary>Handles Enter.</summary>
     /// <param name="at">When it was pressed.</param>
+    /// <param name="leastBadge">The fewest characters of a badge if one is expected: then what was as fast as a scanner is the code, also
+    /// right after typing by hand. Null for the code of a piece.</param>
     /// <returns>The code; null if there is none, or if it was typed by hand.</returns>
-    public string? End(ulong at)
+    public string? End(ulong at, int? leastBadge = null)
     {
         Judge(at);
+        if (leastBadge is { } fewest && !IsAnnounced)
+        {
+            var badge = _code.ToString(_fastFrom, _code.Length - _fastFrom).Trim();
+            var isBadge = badge.Length >= fewest && _code.Length <= Most;
+            Clear();
+            return isBadge ? badge : null;
+        }
+
         var (code, least) = (_code.ToString().Trim(), IsAnnounced ? 1 : Least);
         var isCode = !_isByHand && _code.Length <= Most && code.Length >= least;
         Clear();
@@ -66,7 +77,7 @@ internal sealed class ScannedCode
     public void Clear()
     {
         _code.Clear();
-        (IsAnnounced, _isByHand) = (false, false);
+        (IsAnnounced, _isByHand, _fastFrom) = (false, false, 0);
     }
 
     // One slow key makes all of it typed by hand: its last characters may have been fast by chance.
@@ -80,6 +91,7 @@ internal sealed class ScannedCode
         else
         {
             _isByHand |= !IsAnnounced && _code.Length > 0 && since > Fast;
+            _fastFrom = since > Fast ? _code.Length : _fastFrom;
         }
     }
 }

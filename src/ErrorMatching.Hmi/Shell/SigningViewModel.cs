@@ -109,6 +109,13 @@ public sealed class SigningViewModel : Observable, ITakesCodes
     public void TakeCode(string code)
     {
         Password = "";
+
+        // A reason is recorded, and a badge must not be: of a scanner that acts as a keyboard, it was typed into what had the focus.
+        if (Reason.LastIndexOf(code, StringComparison.Ordinal) is >= 0 and var at)
+        {
+            Reason = Reason.Remove(at, code.Length);
+        }
+
         if (!_station.Session.Ways.HasFlag(SignInWays.Badge))
         {
             _badge = code;

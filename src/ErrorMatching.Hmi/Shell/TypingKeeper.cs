@@ -5,6 +5,7 @@ using Avalonia.Input.Raw;
 using Avalonia.Interactivity;
 using Avalonia.Threading;
 using Avalonia.VisualTree;
+using ErrorMatching.Cell;
 
 namespace ErrorMatching.Hmi;
 
@@ -41,6 +42,8 @@ internal sealed class TypingKeeper
     internal bool IsOn => _moment.IsEnabled;
 
     private ShellViewModel? Shell => _window.DataContext as ShellViewModel;
+
+    private int? LeastBadge => Shell is { TakesBadge: true } ? Session.LeastBadge : null;
 
     private Control? Focused => _window.FocusManager?.GetFocusedElement() as Control;
 
@@ -106,7 +109,7 @@ internal sealed class TypingKeeper
                 _code.Announce(_at);
                 e.Handled = true;
                 break;
-            case Key.Enter when (Focused is not TextBox || Shell is { TakesBadge: true }) && _code.End(_at) is { } code:
+            case Key.Enter when (Focused is not TextBox || Shell is { TakesBadge: true }) && _code.End(_at, LeastBadge) is { } code:
                 Shell?.Scan(code);
                 e.Handled = true;
                 break;
