@@ -5,7 +5,7 @@ using ErrorMatching.Testing;
 
 namespace ErrorMatching.Hmi.Tests;
 
-/// <summary>What was made before its job was changed is computed anew from the station:
+/// <summary>What was made before its job was changed is recalculated from the station:
 /// one by one, and all together where the job is saved.</summary>
 [Trait("Length", "Long")]
 public sealed class RecalculateTests
@@ -21,15 +21,15 @@ public sealed class RecalculateTests
         seat.SignIn(DemoCell.Operator)
             .Tap("nav-compensation")
             .WaitFor(() => seat.Find("detail-title") is not null && seat.TextOf("detail-title") == "#1 · 0001", "It is not shown.");
-        Assert.False(seat.See("compute-anew").IsEffectivelyEnabled);
+        Assert.False(seat.See("recalculate").IsEffectivelyEnabled);
 
         Change(seat, "-31.95", "-31.951");
-        seat.WaitFor(() => seat.See("compute-anew").IsEffectivelyEnabled, "It cannot be computed anew.");
-        Assert.Contains("accent", seat.See("compute-anew").Classes);
+        seat.WaitFor(() => seat.See("recalculate").IsEffectivelyEnabled, "It cannot be recalculated.");
+        Assert.Contains("accent", seat.See("recalculate").Classes);
         Assert.DoesNotContain("accent", seat.See("approve").Classes);
         Assert.Equal("Made before the job was changed. To use the current job, recalculate this.", seat.TextOf("detail-changed-job"));
-        BeClean(seat, "compensation-compute-anew");
-        seat.Tap("compute-anew").WaitFor(
+        BeClean(seat, "compensation-recalculate");
+        seat.Tap("recalculate").WaitFor(
             () => seat.TextOf("detail-title") == "#3 · 0001" && seat.TextOf("detail-state") == Texts.Current.Word(CorrectionState.Proposed),
             "What came of it is not shown.");
         Assert.Null(seat.Find("signing-subject"));
@@ -47,13 +47,13 @@ public sealed class RecalculateTests
             () => Rows(seat).Select(r => (r.Id, r.IsOfChangedJob)).SequenceEqual([(3L, false), (2L, true)]),
             "It does not stand in its place.");
         Assert.Equal(3, ((CompensationViewModel)seat.Shell.Current!).Chosen?.Id);
-        Assert.False(seat.See("compute-anew").IsEffectivelyEnabled);
+        Assert.False(seat.See("recalculate").IsEffectivelyEnabled);
         Assert.Null(seat.Find("detail-changed-job"));
 
-        // By the keyboard as well, and what was computed anew once can be again.
+        // By the keyboard as well, and what was recalculated once can be again.
         Change(seat, "-31.951", "-31.952");
-        seat.WaitFor(() => seat.Find("compute-anew") is { IsEffectivelyEnabled: true }, "It is not offered a second time.");
-        seat.See("compute-anew").Focus();
+        seat.WaitFor(() => seat.Find("recalculate") is { IsEffectivelyEnabled: true }, "It is not offered a second time.");
+        seat.See("recalculate").Focus();
         seat.User.Press(Key.Enter);
         seat.WaitFor(() => seat.TextOf("detail-title") == "#4 · 0001", "The keyboard does nothing.");
         seat.WaitFor(4, CorrectionState.Proposed);
@@ -87,18 +87,18 @@ public sealed class RecalculateTests
             .Tap("nav-compensation")
             .Tap("correction-3")
             .WaitFor(() => seat.TextOf("detail-title") == "#3 · 0003", "It is not shown.");
-        var (anew, waits) = (seat.See("compute-anew").Bounds, seat.See("compensation-waits").Bounds);
-        Assert.False(seat.See("compute-anew").IsEffectivelyEnabled);
+        var (anew, waits) = (seat.See("recalculate").Bounds, seat.See("compensation-waits").Bounds);
+        Assert.False(seat.See("recalculate").IsEffectivelyEnabled);
 
         // It has room beside what it waits for, before its job is changed and then.
         Change(seat, "-31.95", "-31.951");
-        seat.WaitFor(() => seat.See("compute-anew").IsEffectivelyEnabled, "It cannot be computed anew.");
-        Assert.Equal((anew, waits), (seat.See("compute-anew").Bounds, seat.See("compensation-waits").Bounds));
+        seat.WaitFor(() => seat.See("recalculate").IsEffectivelyEnabled, "It cannot be recalculated.");
+        Assert.Equal((anew, waits), (seat.See("recalculate").Bounds, seat.See("compensation-waits").Bounds));
         BeClean(seat);
         seat.Tap("correction-1").WaitFor(() => seat.TextOf("detail-title") == "#1 · 0001", "It is not shown.");
         seat.See("release");
-        Assert.Null(seat.Find("compute-anew"));
-        seat.Tap("correction-3").Tap("compute-anew").WaitFor(4, CorrectionState.Proposed);
+        Assert.Null(seat.Find("recalculate"));
+        seat.Tap("correction-3").Tap("recalculate").WaitFor(4, CorrectionState.Proposed);
         Assert.Equal(
             [CorrectionState.Verified, CorrectionState.Proposed, CorrectionState.Superseded],
             Enumerable.Range(1, 3).Select(i => seat.Station.Store.Find(i)!.State));
@@ -111,9 +111,9 @@ public sealed class RecalculateTests
         seat.Cell.Deliver(1, 0);
         seat.WaitFor(1, CorrectionState.Proposed);
         Change(seat, "-31.95", "-31.951");
-        seat.SignIn(DemoCell.Operator).Tap("nav-compensation").See("compute-anew");
+        seat.SignIn(DemoCell.Operator).Tap("nav-compensation").See("recalculate");
         seat.Station.Users.Disable(seat.Station.Users.SignIn(DemoCell.Administrator, DemoCell.Password), DemoCell.Operator);
-        seat.Tap("compute-anew").WaitFor(() => seat.Find("compensation-undone") is not null, "Nothing is said.");
+        seat.Tap("recalculate").WaitFor(() => seat.Find("compensation-undone") is not null, "Nothing is said.");
         Assert.StartsWith("This user is disabled.", seat.TextOf("compensation-undone"), StringComparison.Ordinal);
         Assert.Null(seat.Station.Store.Find(2));
 
@@ -144,11 +144,11 @@ public sealed class RecalculateTests
         here.Settle();
         var before = Top();
         seat.Save().WaitFor(() => seat.Find("setup-notice") is not null, "It is not saved.");
-        seat.See("setup-compute-anew");
+        seat.See("setup-recalculate");
         Assert.Equal(before, Top());
         Assert.Contains("Waiting, calculated with the old job: 3.", seat.TextOf("setup-notice"), StringComparison.Ordinal);
         Assert.Equal("Recalculate these: 3", here.Shell.Editing.RecalculateText);
-        seat.See("setup-compute-anew");
+        seat.See("setup-recalculate");
         seat.Tap("setup-look").WaitFor(
             () => seat.Find("detail-title") is not null && seat.TextOf("detail-title") == "#2 · 0002",
             "The notice does not lead to the first that waits.");
@@ -162,22 +162,22 @@ public sealed class RecalculateTests
         seat.Type("edit-compensation.gain", "0.5");
         here.Shell.Editing.Change("", d => d with { Name = "Complex mating, halved" });
         here.Settle();
-        seat.Save().WaitFor(() => seat.Find("setup-notice") is not null, "It is not saved once more.").See("setup-compute-anew");
+        seat.Save().WaitFor(() => seat.Find("setup-notice") is not null, "It is not saved once more.").See("setup-recalculate");
         seat.Window.Height = 720;
         foreach (var side in new[] { "side-coordinates", "side-blocks", "side-tolerances", "side-gauge", "side-machine" })
         {
-            seat.Tap(side).See("setup-compute-anew");
-            BeClean(seat, side == "side-machine" ? "setup-compute-anew" : null);
+            seat.Tap(side).See("setup-recalculate");
+            BeClean(seat, side == "side-machine" ? "setup-recalculate" : null);
         }
 
         // Somebody else decides about one of them meanwhile.
         decisions.Reject(3, DemoCell.Operator, "dirty");
-        seat.Tap("setup-compute-anew").WaitFor(
+        seat.Tap("setup-recalculate").WaitFor(
             () => seat.TextOf("setup-notice")!.StartsWith("Recalculated", StringComparison.Ordinal), "Nothing is said of it.");
         Assert.Equal(
             "Recalculated: 2. #3 · 0003 was not recalculated: This cannot be done in its current state. Look at it again.",
             seat.TextOf("setup-notice"));
-        Assert.Null(seat.Find("setup-compute-anew"));
+        Assert.Null(seat.Find("setup-recalculate"));
         Assert.Equal(5, here.Shell.Editing.FirstWaiting);
         Texts.Current.Language = Language.TraditionalChinese;
         here.Settle();
@@ -210,7 +210,7 @@ public sealed class RecalculateTests
         here.Settle();
         here.Seat.Save().WaitFor(() => here.Seat.Find("setup-notice") is not null, "It is not saved.");
         Assert.Equal("Saved: the next part uses it.", here.TextOf("setup-notice"));
-        Assert.Null(here.Seat.Find("setup-compute-anew"));
+        Assert.Null(here.Seat.Find("setup-recalculate"));
         Assert.Null(here.Seat.Find("setup-look"));
     });
 

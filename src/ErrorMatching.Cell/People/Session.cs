@@ -38,6 +38,12 @@ public sealed class Session(UserBook users, TimeProvider clock, TimeSpan idle, S
     /// <summary>How people may sign in besides by password.</summary>
     public SignInWays Ways => ways;
 
+    /// <summary>True if a PIN counts, alone or with a badge.</summary>
+    public bool TakesPins => (ways & (SignInWays.Pin | SignInWays.BadgeWithPin)) != SignInWays.Password;
+
+    /// <summary>True if a badge counts, alone or with a PIN.</summary>
+    public bool TakesBadges => (ways & (SignInWays.Badge | SignInWays.BadgeWithPin)) != SignInWays.Password;
+
     /// <summary>Signs a user in, in place of the current one.</summary>
     /// <param name="name">The user.</param>
     /// <param name="secret">The password, or a PIN where the cell accepts PINs.</param>
@@ -71,7 +77,7 @@ public sealed class Session(UserBook users, TimeProvider clock, TimeSpan idle, S
     /// <summary>The user whose badge it is, who then signs in with it and a PIN.</summary>
     /// <exception cref="PeopleException">As for <see cref="UserBook.FindBadge"/>, and with <see cref="PeopleError.WayNotAllowed"/> where
     /// badges do not count.</exception>
-    public string OwnerOf(string code) => ways.HasFlag(SignInWays.BadgeWithPin) || ways.HasFlag(SignInWays.Badge)
+    public string OwnerOf(string code) => TakesBadges
         ? users.FindBadge(code)
         : throw new PeopleException(PeopleError.WayNotAllowed, "This cell does not take badges: signIn of its configuration says so.");
 

@@ -37,9 +37,17 @@ public sealed class UserBook
     public User AddFirst(string name, string password)
     {
         var hash = HashOf(name, password);
-        return _store.Write(t => Person.All(t).Count == 0 && ForgetCredentials(t)
-            ? Insert(t, "console", name, Role.Administrator, hash, Recorded.FirstAdministrator.With())
-            : throw new PeopleException(PeopleError.NotSigned, "This cell has users: an administrator has to sign for another one."));
+        return _store.Write(t =>
+        {
+            if (Person.All(t).Count > 0)
+            {
+                throw new PeopleException(PeopleError.NotSigned, "This cell has users: an administrator has to sign for another one.");
+            }
+
+            // If somebody deleted earlier users, their PINs and badges must not let the new ones in.
+            t.Execute("DELETE FROM credential");
+            return Insert(t, "console", name, Role.Administrator, hash, Recorded.FirstAdministrator.With());
+        });
     }
 
     /// <summary>Adds a user.</summary>
@@ -66,18 +74,18 @@ public sealed class UserBook
     /// <summary>Prevents a user from signing in. A session in progress ends with its next act.</summary>
     /// <exception cref="PeopleException">There is no such user, it is the last administrator, or <paramref name="by"/> does not have the
     /// right.</exception>
-    public User Disable(SignedIn by, string name) => Change(by, name, "user-disabled", "", p => p with { IsDisabled = true });
+    public User Disable(SignedIn by, string name) => Change(by, name, "user-disabled", "", (_, p) => p with { IsDisabled = true });
 
     /// <summary>Lets a user sign in again, immediately.</summary>
     /// <exception cref="PeopleException">There is no such user, or <paramref name="by"/> does not have the right.</exception>
     public User Enable(SignedIn by, string name) =>
-        Change(by, name, "user-enabled", "", p => p with { IsDisabled = false }, isUnlocked: true);
+        Change(by, name, "user-enabled", "", (_, p) => p with { IsDisabled = false }, isUnlocked: true);
 
     /// <summary>Gives a user another role.</summary>
     /// <exception cref="PeopleException">There is no such user, it is the last administrator, or <paramref name="by"/> does not have the
     /// right.</exception>
     public User SetRole(SignedIn by, string name, Role role) =>
-        Change(by, name, "role-set", Recorded.ToRole.With(Word(role)), p => p.As(role));
+        Change(by, name, "role-set", Recorded.ToRole.With(Word(role)), (_, p) => p.As(role));
 
     /// <summary>Sets a password: the user's own, or, as an administrator, anyone's. This also unlocks the user.</summary>
     /// <exception cref="PeopleException">There is no such user, the password is too weak, or <paramref name="by"/> does not have the
@@ -90,7 +98,7 @@ public sealed class UserBook
             name,
             "password-set",
             "",
-            p => p with { Password = hash, PasswordAt = StoredTime.Rounded(_clock.GetUtcNow()) },
+            (_, p) => p with { Password = hash, PasswordAt = StoredTime.Rounded(_clock.GetUtcNow()) },
             isUnlocked: true,
             isOwnAllowed: true);
     }
@@ -108,19 +116,15 @@ public sealed class UserBook
             by,
             name,
             "pin-set",
-            (t, p) => new CredentialRow(
-                UserName.Key(p.Name), CredentialKind.Pin, Hashes.Of(Credentials.PinSecret(KeyOf(t), p.Name, pin)), t.Now).Put(t),
+            "",
+            (t, p) => Put(t, p, CredentialKind.Pin, Hashes.Of(Credentials.PinSecret(KeyOf(t), p.Name, pin))),
             isOwnAllowed: true);
     }
 
     /// <summary>Takes a PIN away: the user's own, or, as an administrator, anyone's.</summary>
     /// <exception cref="PeopleException">There is no such user, or <paramref name="by"/> does not have the right.</exception>
-    public User RemovePin(SignedIn by, string name) => Change(
-        by,
-        name,
-        "pin-removed",
-        (t, p) => new CredentialRow(UserName.Key(p.Name), CredentialKind.Pin, "", t.Now).Put(t),
-        isOwnAllowed: true);
+    public User RemovePin(SignedIn by, string name) =>
+        Change(by, name, "pin-removed", "", (t, p) => Put(t, p, CredentialKind.Pin, ""), isOwnAllowed: true);
 
     /// <summary>Binds a badge to a user, in place of an earlier one.</summary>
     /// <param name="by">The administrator who signs.</param>
@@ -131,10 +135,10 @@ public sealed class UserBook
     public User SetBadge(SignedIn by, string name, string code)
     {
         Credentials.DemandBadge(code);
-        return Change(by, name, "badge-set", (t, p) =>
+        return Change(by, name, "badge-set", "", (t, p) =>
         {
-            var (key, hash) = (UserName.Key(p.Name), Credentials.BadgeHash(KeyOf(t), code));
-            if (CredentialRow.FindBadge(t, hash) is { } other && other.NameKey != key)
+            var hash = Credentials.BadgeHash(KeyOf(t), code);
+            if (CredentialRow.FindBadge(t, hash) is { } other && other.NameKey != UserName.Key(p.Name))
             {
                 throw new PeopleException(
                     PeopleError.BadgeTaken,
@@ -142,14 +146,14 @@ public sealed class UserBook
                         + "user badge.");
             }
 
-            new CredentialRow(key, CredentialKind.Badge, hash, t.Now).Put(t);
+            return Put(t, p, CredentialKind.Badge, hash);
         });
     }
 
     /// <summary>Takes a badge away from a user.</summary>
     /// <exception cref="PeopleException">There is no such user, or <paramref name="by"/> does not have the right.</exception>
-    public User RemoveBadge(SignedIn by, string name) => Change(
-        by, name, "badge-removed", (t, p) => new CredentialRow(UserName.Key(p.Name), CredentialKind.Badge, "", t.Now).Put(t));
+    public User RemoveBadge(SignedIn by, string name) =>
+        Change(by, name, "badge-removed", "", (t, p) => Put(t, p, CredentialKind.Badge, ""));
 
     /// <summary>The user whose badge it is, for a sign-in by badge and PIN: the badge alone proves nothing.</summary>
     /// <returns>The user's name.</returns>
@@ -276,8 +280,11 @@ public sealed class UserBook
         return name;
     });
 
-    // Whose rows were deleted from outside has left nothing that the new users could sign in with.
-    private static bool ForgetCredentials(StoreTransaction t) => t.Execute("DELETE FROM credential") >= 0;
+    private static Person? Put(StoreTransaction t, Person person, CredentialKind kind, string hash)
+    {
+        new CredentialRow(UserName.Key(person.Name), kind, hash, t.Now).Put(t);
+        return null;
+    }
 
     private static string Word(Role role) => Rights.Word(role);
 
@@ -349,7 +356,7 @@ public sealed class UserBook
             throw Refusal(PeopleError.SignInRefused, "The user was changed at this moment.", null);
         }
 
-        // Whoever has a badge must not unlock badges for guesses at those of others: these failures only grow old.
+        // A good badge does not reset the count of unknown ones: otherwise its owner could guess at other people's without a lock.
         if (how != Recorded.SignedInByBadge)
         {
             SignInFailures.Forget(t, person.Name);
@@ -394,30 +401,15 @@ public sealed class UserBook
         return until;
     }
 
-    // PINs and badges have rows of their own.
-    private User Change(SignedIn by, string name, string what, Action<StoreTransaction, Person> put, bool isOwnAllowed = false) =>
-        _store.Write(t => Change(t, by, name, what, "", p => p, p => put(t, p), isUnlocked: false, isOwnAllowed));
-
+    // A PIN or badge has a row of its own, which the change puts: then the person's row stays as it is.
     private User Change(
         SignedIn by,
         string name,
         string what,
         Statement basis,
-        Func<Person, Person> change,
+        Func<StoreTransaction, Person, Person?> change,
         bool isUnlocked = false,
-        bool isOwnAllowed = false) =>
-        _store.Write(t => Change(t, by, name, what, basis, change, p => p.Update(t), isUnlocked, isOwnAllowed));
-
-    private User Change(
-        StoreTransaction t,
-        SignedIn by,
-        string name,
-        string what,
-        Statement basis,
-        Func<Person, Person> change,
-        Action<Person> put,
-        bool isUnlocked,
-        bool isOwnAllowed)
+        bool isOwnAllowed = false) => _store.Write(t =>
     {
         if (isOwnAllowed && UserName.Key(by.Name) == UserName.Key(name))
         {
@@ -432,7 +424,8 @@ public sealed class UserBook
         var before = Person.Find(t, name)
             ?? throw new PeopleException(PeopleError.UnknownUser, $"There is no user {name}. errormatch user list CONFIG names them.");
         before = before.IsAsLeft ? before : Mended(t, before);
-        var after = change(before);
+        var changed = change(t, before);
+        var after = changed ?? before;
         if (IsManaging(before) && !IsManaging(after) && Person.All(t).Count(IsManaging) == 1)
         {
             throw new PeopleException(
@@ -441,7 +434,7 @@ public sealed class UserBook
                     + $"administrator first.");
         }
 
-        put(after);
+        changed?.Update(t);
         if (isUnlocked)
         {
             SignInFailures.Forget(t, name);
@@ -449,7 +442,7 @@ public sealed class UserBook
 
         t.Audit(by.Name, what, before.Name, basis);
         return Known(t, after);
-    }
+    });
 
     private void Demand(StoreTransaction t, SignedIn who, Act act)
     {

@@ -22,7 +22,7 @@ public sealed class Recalculation(CellSettings settings, CellStore store)
     public Correction Recalculate(long id, string by, string? reason)
     {
         // What may be rejected may be recalculated instead.
-        var correction = _decisions.Demand(id, "computed anew", CorrectionSteps.Before(CorrectionState.Rejected));
+        var correction = _decisions.Demand(id, "recalculated", CorrectionSteps.Before(CorrectionState.Rejected));
         if (correction.Identity is null)
         {
             throw new DecisionException(
@@ -69,7 +69,7 @@ public sealed class Recalculation(CellSettings settings, CellStore store)
                     DecisionException.JobUnchanged,
                     string.Create(
                         CultureInfo.InvariantCulture,
-                        $"Correction {correction.Id} was made with the job {job.Name} as it is now: computed anew, it would be the same. "
+                        $"Correction {correction.Id} was made with the job {job.Name} as it is now: recalculated, it would be the same. "
                             + $"Change and save the job first, or decide about the correction as it is."));
             case Identified { Basis.Identity: var identity }:
                 if (store.Corrections.OfMeasurement(correction.MeasurementSha256).FirstOrDefault(

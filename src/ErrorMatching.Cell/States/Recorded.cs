@@ -46,7 +46,7 @@ public static class Recorded
         "given-again", "given again in the place of correction {0:0}, to be computed with the job as it is now");
     internal static readonly SentenceForm RecalculatedBy = new(
         "computed-anew",
-        "Its job was changed after it was made: correction {0:0} computes the measurement anew, with the job as it is now.");
+        "Its job was changed after it was made: correction {0:0} recalculates the measurement with the job as it is now.");
 
     internal static readonly SentenceForm FirstArticle = new(
         "first-article", "A counterpart is measured: this verifies what was sent, and sends nothing.");

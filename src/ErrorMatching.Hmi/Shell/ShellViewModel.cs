@@ -193,10 +193,7 @@ public sealed class ShellViewModel : Observable, IDisposable
 
     /// <summary>True if a scanned code is a badge now, also if a field has the focus: somebody signs in or signs, and the cell takes
     /// badges.</summary>
-    public bool TakesBadge =>
-        (IsLocked || Signing is { NeedsPassword: true }) && TakesBadges;
-
-    private bool TakesBadges => (Station.Session.Ways & (SignInWays.Badge | SignInWays.BadgeWithPin)) != SignInWays.Password;
+    public bool ExpectsBadge => (IsLocked || Signing is { NeedsPassword: true }) && Station.Session.TakesBadges;
 
     /// <summary>Completes when the last code was taken.</summary>
     internal Task Scanning { get; private set; } = Task.CompletedTask;
@@ -205,7 +202,7 @@ public sealed class ShellViewModel : Observable, IDisposable
     /// otherwise. Else the open screen takes it if it accepts codes, otherwise the history.</summary>
     public void Scan(string code)
     {
-        if (TakesBadge)
+        if (ExpectsBadge)
         {
             ((ITakesCodes?)Signing ?? _login as ITakesCodes)?.TakeCode(code);
             return;
@@ -216,7 +213,7 @@ public sealed class ShellViewModel : Observable, IDisposable
             return;
         }
 
-        if (TakesBadges)
+        if (Station.Session.TakesBadges)
         {
             Scanning = TakeAsync(code).Watched();
         }

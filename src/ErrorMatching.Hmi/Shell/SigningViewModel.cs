@@ -93,7 +93,7 @@ public sealed class SigningViewModel : Observable, ITakesCodes
         UserName);
 
     /// <summary>True if a PIN counts, alone or with a badge.</summary>
-    public bool TakesPin => (_station.Session.Ways & (SignInWays.Pin | SignInWays.BadgeWithPin)) != SignInWays.Password;
+    public bool TakesPin => _station.Session.TakesPins;
 
     /// <summary>The shop's reasons, to tap instead of typing; empty for other acts than a rejection.</summary>
     public IReadOnlyList<RejectionReason> Reasons => Act == Act.Reject && NeedsReason

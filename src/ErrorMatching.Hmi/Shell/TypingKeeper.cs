@@ -43,7 +43,7 @@ internal sealed class TypingKeeper
 
     private ShellViewModel? Shell => _window.DataContext as ShellViewModel;
 
-    private int? LeastBadge => Shell is { TakesBadge: true } ? Session.LeastBadge : null;
+    private int? LeastBadge => Shell is { ExpectsBadge: true } ? Session.LeastBadge : null;
 
     private Control? Focused => _window.FocusManager?.GetFocusedElement() as Control;
 
@@ -57,7 +57,7 @@ internal sealed class TypingKeeper
             _moment.Start();
         }
 
-        if (isOpen != _isOpen || (!isOpen && Shell is not { TakesBadge: true }))
+        if (isOpen != _isOpen || (!isOpen && Shell is not { ExpectsBadge: true }))
         {
             _code.Clear();
         }
@@ -78,7 +78,7 @@ internal sealed class TypingKeeper
         {
             e.Handled = true;
         }
-        else if (e.Text is { } text && !_window.Keyboard.IsActing && (Focused is not TextBox || Shell is { TakesBadge: true }))
+        else if (e.Text is { } text && !_window.Keyboard.IsActing && (Focused is not TextBox || Shell is { ExpectsBadge: true }))
         {
             // A badge that announces itself shows nowhere. Of another one, its end tells what it was: then the field is emptied.
             e.Handled = _code.IsAnnounced && Focused is TextBox;
@@ -109,7 +109,7 @@ internal sealed class TypingKeeper
                 _code.Announce(_at);
                 e.Handled = true;
                 break;
-            case Key.Enter when (Focused is not TextBox || Shell is { TakesBadge: true }) && _code.End(_at, LeastBadge) is { } code:
+            case Key.Enter when (Focused is not TextBox || Shell is { ExpectsBadge: true }) && _code.End(_at, LeastBadge) is { } code:
                 Shell?.Scan(code);
                 e.Handled = true;
                 break;

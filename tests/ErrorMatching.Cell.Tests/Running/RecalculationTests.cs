@@ -72,7 +72,7 @@ public sealed class RecalculationTests
     }
 
     [Fact]
-    public async Task What_failed_at_its_machine_is_computed_anew()
+    public async Task What_failed_at_its_machine_is_recalculated()
     {
         await using var cell = new RunningCell();
         cell.Machine["m1"].Files[RunningCell.Program] = "edited"u8.ToArray();
@@ -211,7 +211,7 @@ public sealed class RecalculationTests
         var theoretical = await File.ReadAllTextAsync(cell.PathOf("job/theoretical.csv"), TestContext.Current.CancellationToken);
         Change(cell.PathOf("job/theoretical.csv"));
         Assert.Equal(
-            "Correction 1 is verified, and only one that is proposed or approved or failed can be computed anew.",
+            "Correction 1 is verified, and only one that is proposed or approved or failed can be recalculated.",
             Refusal(cell, 1).Message);
         Assert.Equal(DecisionException.WrongState, Refusal(cell, 3).Code);
 

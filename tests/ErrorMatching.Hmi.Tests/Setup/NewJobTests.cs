@@ -120,7 +120,7 @@ public sealed class NewJobTests
         PutInUse(seat);
         Assert.Equal("Bracket", InputFile.Job(seat.JobFile).Name);
         Assert.Equal(("Bracket", "complex-mating"), (seat.TextOf("setup-job-title"), seat.TextOf("setup-job-state")));
-        Assert.NotNull(here.Find("setup-compute-anew"));
+        Assert.NotNull(here.Find("setup-recalculate"));
 
         // From now on it is the one that is used, and edited as any other.
         seat.Shell.Editing.Change("", d => d.With("$.workOrder", "WO-9"));

@@ -86,7 +86,7 @@ public sealed class LoginViewModel : ScreenViewModel, ITakesCodes
     public string PasswordLabel => Texts.Current[TakesPin ? "Login.PasswordOrPin" : "Login.Password"];
 
     /// <summary>True if a PIN counts, alone or with a badge.</summary>
-    public bool TakesPin => (Station.Session.Ways & (SignInWays.Pin | SignInWays.BadgeWithPin)) != SignInWays.Password;
+    public bool TakesPin => Station.Session.TakesPins;
 
     /// <summary>That a badge can be scanned here, in words; null if the cell takes none.</summary>
     public string? BadgeHint => Station.Session.Ways switch

@@ -104,8 +104,7 @@ internal sealed class UsersViewModel : ScreenViewModel
     public bool TakesPassword => IsNew ? IsManaging : IsManaging || Chosen!.Name == _shell.UserName;
 
     /// <summary>True if the cell takes PINs, and the chosen user's can be set here.</summary>
-    public bool TakesPin =>
-        !IsNew && TakesPassword && (Station.Session.Ways & (SignInWays.Pin | SignInWays.BadgeWithPin)) != SignInWays.Password;
+    public bool TakesPin => !IsNew && TakesPassword && Station.Session.TakesPins;
 
     /// <summary>What is typed twice, in words.</summary>
     public string PasswordLabel => Texts.Current[TakesPin ? "Users.PasswordOrPin" : "Users.Password"];
@@ -114,7 +113,7 @@ internal sealed class UsersViewModel : ScreenViewModel
     public string PasswordRule => Texts.Current[TakesPin ? "Users.PinRule" : "Users.PasswordRule"];
 
     /// <summary>True if the cell takes badges, and one can be bound to the chosen user here.</summary>
-    public bool TakesBadge => IsChanging && (Station.Session.Ways & (SignInWays.Badge | SignInWays.BadgeWithPin)) != SignInWays.Password;
+    public bool TakesBadge => IsChanging && Station.Session.TakesBadges;
 
     /// <summary>True if the chosen user's PIN can be taken away here.</summary>
     public bool HasPin => Chosen is { HasPin: true } && TakesPassword;
