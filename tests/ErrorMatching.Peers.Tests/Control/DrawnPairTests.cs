@@ -29,6 +29,10 @@ public sealed class DrawnPairTests(LinuxCncControl control) : IClassFixture<Linu
     // The width of an interval for the tightest place, which tells something.
     private const double Narrow = 0.01;
 
+    // LinuxCNC's issues 263, 662 and 3650: now and then it stops a program that probes, whatever the program. A person starts it again.
+    private const string StoppedByItself = "Queue is not empty after probing";
+    private const int MostStops = 2;
+
     // Where the shoulders of the key are cut: what is before and behind them is the way in and out.
     private const double ShoulderY = -25.9;
 
@@ -184,12 +188,24 @@ public sealed class DrawnPairTests(LinuxCncControl control) : IClassFixture<Linu
         Assert.True(probed.IsUsable, probed.Refusal?.ToString());
         await File.WriteAllBytesAsync(Path.Combine(control.Nc, "PROBE.NGC"), probed.Result!.Program.Bytes.ToArray(), Token);
         await control.OpenAsync("PROBE.NGC");
-        await control.RunAsync();
-        await control.UntilStatusAsync("IDLE");
-        await control.UntilAsync(() => Task.FromResult(
-            File.Exists(log) && File.ReadAllText(log).TrimEnd().EndsWith("END", StringComparison.Ordinal)));
-        File.Copy(log, kept);
-        return kept;
+        for (var stopped = 0; stopped <= MostStops; stopped++)
+        {
+            var said = control.TimesSaid(StoppedByItself);
+            await control.RunAsync();
+            await control.UntilStatusAsync("IDLE");
+            await control.UntilAsync(() => Task.FromResult(IsWhole() || control.TimesSaid(StoppedByItself) > said));
+            if (IsWhole())
+            {
+                File.Copy(log, kept);
+                return kept;
+            }
+
+            TestContext.Current.TestOutputHelper!.WriteLine($"The control said \"{StoppedByItself}\", and probed again from the beginning.");
+        }
+
+        throw new InvalidOperationException($"{kept}: the control stopped {MostStops + 1} times.");
+
+        bool IsWhole() => File.Exists(log) && File.ReadAllText(log).TrimEnd().EndsWith("END", StringComparison.Ordinal);
     }
 
     // The path between way in and way out, without places that lie on the line of their neighbors to a twentieth of a micrometer.

@@ -104,6 +104,13 @@ public sealed class LinuxCncControl : IAsyncLifetime
     /// <summary>Waits until the control reports a status.</summary>
     public Task UntilStatusAsync(string status) => UntilAsync(async () => await StatusAsync() == status);
 
+    /// <summary>How often the control has said something since it was started.</summary>
+    public int TimesSaid(string words)
+    {
+        lock (_said)
+            return _said.ToString().Split(words).Length - 1;
+    }
+
     /// <summary>Selects a program of <see cref="Nc"/>.</summary>
     public async Task OpenAsync(string program)
     {
