@@ -198,6 +198,7 @@ public static class MatchReporter
                 Theoretical = theoretical[i],
                 Actual = result.Part.Points[label],
                 Counterpart = job.Compensation.From == CompensationSource.Counterpart ? result.Counterpart!.Points[label] : null,
+                InProgram = job.Counterpart.Frame.Apply(theoretical[i]),
                 Normal = map.Normals[i],
                 Correction = job.Counterpart.Frame.Apply(point.Correction),
                 DecidedMm = point.Point.NormalMm,

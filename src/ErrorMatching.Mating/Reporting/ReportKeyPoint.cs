@@ -24,6 +24,9 @@ public sealed record ReportKeyPoint
     /// <summary>Unit normal of the boundary, from the counterpart's material to its tool.</summary>
     public required Vector2 Normal { get; init; }
 
+    /// <summary>Its designed position in the program's frame; null in reports of earlier versions.</summary>
+    public Point2? InProgram { get; init; }
+
     /// <summary>Displacement of the program there, in the program's frame; zero if nothing is compensated.</summary>
     public required Vector2 Correction { get; init; }
 
@@ -57,6 +60,9 @@ public sealed record ReportKeyPoint
     /// <summary>Blocks of the original program that cut the point, by number.</summary>
     public IReadOnlyList<string> Blocks { get; init; } = [];
 
+    /// <summary>Where the counterpart is to be, in the program's frame: <see cref="InProgram"/> with <see cref="Correction"/>.</summary>
+    public Point2? Corrected => InProgram + Correction;
+
     /// <summary>Theoretical - actual, as in the paper.</summary>
     public Vector2 Deviation => Theoretical - Actual;
 
@@ -73,6 +79,11 @@ public sealed record ReportKeyPoint
         if (Counterpart is { } counterpart)
         {
             w.Point("counterpart", counterpart);
+        }
+
+        if (InProgram is { } place)
+        {
+            w.Point("inProgram", place);
         }
 
         w.Vector("deviation", Deviation);
@@ -97,6 +108,7 @@ public sealed record ReportKeyPoint
         Theoretical = r.Point("theoretical"),
         Actual = r.Point("actual"),
         Counterpart = r.OptionalPoint("counterpart"),
+        InProgram = r.OptionalPoint("inProgram"),
         Normal = r.Vector("normal"),
         Correction = r.Vector("correction"),
         DecidedMm = r.Number("decidedMm"),
