@@ -55,7 +55,7 @@ public sealed class BadgeTests
         Scan(seat, Badge, isAnnounced: false);
         seat.WaitFor(() => !seat.Shell.IsLocked, "The station stays locked.");
         seat.Shell.Look(1);
-        seat.See("points");
+        seat.See("pair");
 
         seat.User.Tap(seat.See("approve")).Settle();
         seat.See("signing-password");
@@ -76,7 +76,7 @@ public sealed class BadgeTests
         seat.Tap("login-user-" + DemoCell.Setter).Type("login-password", Pin).Tap("login-sign-in");
         seat.WaitFor(() => !seat.Shell.IsLocked, "The station stays locked.");
         seat.Shell.Look(1);
-        seat.See("points");
+        seat.See("pair");
 
         // Approve, the PIN in the digits that the field has opened, Enter.
         seat.User.Tap(seat.See("approve")).Settle();
@@ -96,7 +96,7 @@ public sealed class BadgeTests
         Propose(seat);
         seat.SignIn(DemoCell.Setter);
         seat.Shell.Look(1);
-        seat.See("points");
+        seat.See("pair");
         seat.Tap("approve").See("signing-password");
         Scan(seat, Badge, isAnnounced: false);
         seat.WaitFor(1, CorrectionState.Verified);
@@ -123,7 +123,7 @@ public sealed class BadgeTests
         Propose(seat);
         seat.SignIn(DemoCell.Operator);
         seat.Shell.Look(1);
-        seat.See("points");
+        seat.See("pair");
         seat.User.Tap(seat.See("reject")).Settle();
         seat.See("signing-reason-1");
         seat.User.Tap(seat.See("signing-reason-1")).Settle();

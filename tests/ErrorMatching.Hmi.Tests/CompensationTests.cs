@@ -27,6 +27,17 @@ public sealed class CompensationTests
             Same(json.GetProperty("actual").GetProperty("y"), row.ActualY);
             Same(json.GetProperty("correction").GetProperty("x"), row.CompensationX);
             Same(json.GetProperty("correction").GetProperty("y"), row.CompensationY);
+
+            // The sample's program is in the part's frame: the paper's figure 9 shows both.
+            var counterpart = detail.Counterparts.Single(c => c.Point == row.Point);
+            Same(json.GetProperty("inProgram").GetProperty("x"), counterpart.TheoreticalX);
+            Same(json.GetProperty("inProgram").GetProperty("y"), counterpart.TheoreticalY);
+            Assert.Equal((row.TheoreticalX, row.TheoreticalY), (counterpart.TheoreticalX, counterpart.TheoreticalY));
+            Assert.Equal((row.CompensationX, row.CompensationY), (counterpart.CompensationX, counterpart.CompensationY));
+            Assert.Equal(
+                json.GetProperty("theoretical").GetProperty("x").GetDouble() + json.GetProperty("correction").GetProperty("x").GetDouble(),
+                double.Parse(counterpart.CorrectedX.Replace('\u2212', '-'), CultureInfo.InvariantCulture),
+                0.00006);
             Assert.Equal(
                 Shown.SignedMm(json.GetProperty("predictedMm").GetDouble(), json.GetProperty("interval95Mm").GetDouble()), row.LeftOver);
 
@@ -50,6 +61,7 @@ public sealed class CompensationTests
             Same(feature.GetProperty("corrected").GetProperty(name), row.Corrected);
         }
 
+        seat.Tap("tab-decisions");
         Assert.Contains("Proved", seat.TextOf("detail-proof"), StringComparison.Ordinal);
         Assert.Equal(
             report.RootElement.GetProperty("program").GetProperty("changedBlocks").GetInt32(), detail.Stored.Report!.Program.ChangedBlocks);
@@ -228,7 +240,7 @@ public sealed class CompensationTests
         seat.Cell.Run();
         seat.Cell.Deliver(1, 0);
         seat.WaitFor(1, CorrectionState.Proposed);
-        seat.SignIn(name).Tap("nav-compensation").See("points");
+        seat.SignIn(name).Tap("nav-compensation").See("pair");
         var screen = (CompensationViewModel)seat.Shell.Current!;
         seat.WaitFor(() => screen.Detail is not null, "The correction is not shown.");
         return screen.Detail!;

@@ -140,16 +140,17 @@ public sealed partial class CompensationWordsTests
 
     [Theory]
     [InlineData("points", 8)]
+    [InlineData("counterpart", 6)]
     [InlineData("features", 3)]
     public Task Figures_of_a_column_stand_with_their_decimal_signs_below_each_other(string side, int count) => Seat.AtAsync(seat =>
     {
         Arrive(seat);
         seat.Tap("tab-" + side);
-        var columns = seat.See(side == "points" ? side : "quantities").GetVisualDescendants().OfType<TextBlock>()
+        var columns = seat.See(side switch { "points" => side, "counterpart" => "counterparts", _ => "quantities" }).GetVisualDescendants().OfType<TextBlock>()
             .Where(
                 t => t.IsEffectivelyVisible
                     && t.Classes.Contains("figure")
-                    && t.DataContext is PointRow or QuantityRow
+                    && t.DataContext is PointRow or CounterpartRow or QuantityRow
                     && t.Text!.Contains('.', StringComparison.Ordinal))
             .GroupBy(t => Math.Round(t.TranslatePoint(new(t.Bounds.Width, 0), seat.Window)!.Value.X))
             .Select(
@@ -171,7 +172,7 @@ public sealed partial class CompensationWordsTests
         seat.Cell.Run();
         seat.Cell.Deliver(1, 0);
         seat.WaitFor(1, CorrectionState.Proposed);
-        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("points");
+        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("pair");
         var screen = (CompensationViewModel)seat.Shell.Current!;
         seat.WaitFor(() => screen.Detail is not null, "The correction is not shown.");
         return screen.Detail!;

@@ -20,6 +20,7 @@ public sealed class CorrectionHeadTests
         // so a counterpart as designed leaves a gap there.
         Assert.Equal("−0.1170", detail.Points[0].Without);
         Assert.Equal(WantedGap.Outside, detail.Points.Where(p => p.IsOutside).Select(p => p.Point));
+        seat.Tap("tab-points");
         Assert.Contains(
             "above zero the pieces overlap, below zero there is a gap", seat.TextOf("points-note"), StringComparison.OrdinalIgnoreCase);
         var marked = seat.See("points")
@@ -39,6 +40,7 @@ public sealed class CorrectionHeadTests
     public Task The_head_says_what_is_proved_what_is_left_over_and_what_moves_most() => Seat.AtAsync(seat =>
     {
         Arrive(seat);
+        seat.Tap("tab-decisions");
         using var report = JsonDocument.Parse(seat.Station.Store.Content(seat.Station.Store.Find(1)!.ReportSha256!));
         var (proof, points) = (
             report.RootElement.GetProperty("proof"), report.RootElement.GetProperty("keyPoints").EnumerateArray().ToArray());
@@ -104,9 +106,9 @@ public sealed class CorrectionHeadTests
         seat.Tap("signing-leave");
 
         // A tap on the warnings leads to them, and each is to be read.
-        var warnings = (Button)seat.See("detail-warnings");
+        var warnings = seat.See("detail-warnings");
         Assert.Equal("Warnings: 2", AutomationProperties.GetName(warnings));
-        seat.Tap("detail-warnings");
+        seat.Tap("tab-decisions");
         var texts = seat.See("warnings").GetVisualDescendants().OfType<TextBlock>().ToArray();
         var window = seat.See("warnings").FindAncestorOfType<ScrollViewer>()!;
         Assert.Equal(2, texts.Length);
@@ -192,7 +194,7 @@ public sealed class CorrectionHeadTests
         seat.Cell.Run();
         seat.Cell.Deliver(1, 0);
         seat.WaitFor(1, CorrectionState.Proposed);
-        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("points");
+        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("pair");
         return ((CompensationViewModel)seat.Shell.Current!).Detail!;
     }
 }

@@ -12,7 +12,7 @@ public sealed class DecidingTests
     public Task The_oldest_that_waits_is_shown_rows_keep_their_places_and_what_was_approved_stays_to_be_seen() => Seat.AtAsync(seat =>
     {
         Wait(seat, 1, 2);
-        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("points");
+        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("pair");
         var screen = (CompensationViewModel)seat.Shell.Current!;
         Assert.Equal("#1 · 0001", seat.TextOf("detail-title"));
         Assert.Equal(
@@ -55,7 +55,7 @@ public sealed class DecidingTests
     public Task What_changes_by_itself_is_not_decided_about_for_a_second() => Seat.AtAsync(seat =>
     {
         Wait(seat, 1, 2);
-        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("points");
+        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("pair");
         seat.WaitFor(() => seat.See("approve").IsEffectivelyEnabled, "Who comes to the screen has to wait.");
 
         // Somebody else decides at a console, and the next one takes its place under the finger.
@@ -80,7 +80,7 @@ public sealed class DecidingTests
     public Task Where_nothing_is_left_to_decide_nobody_is_told_to_wait() => Seat.AtAsync(seat =>
     {
         Wait(seat, 1, 2);
-        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("points");
+        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("pair");
         seat.Clock.Stand();
         seat.Tap("reject").Type("signing-reason", "chip under the probe").Tap("signing-confirm");
         seat.WaitFor(() => seat.TextOf("detail-state") == "Rejected", "The screen does not follow.");
@@ -91,13 +91,13 @@ public sealed class DecidingTests
     public Task What_a_person_chose_is_there_when_they_come_back_and_not_for_somebody_else() => Seat.AtAsync(seat =>
     {
         Wait(seat, 1, 2);
-        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("points");
+        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("pair");
         Choose("correction-2", "detail-title", "#2 · 0002");
         seat.Tap("nav-verification").See("piece-title");
         Assert.Equal("#2 · 0002", seat.TextOf("piece-title"));
         Assert.Equal("Complex mating", seat.TextOf("piece-job"));
         Choose("piece-1", "piece-title", "#1 · 0001");
-        seat.Tap("nav-system").Tap("side-gauge").Tap("nav-compensation").See("points");
+        seat.Tap("nav-system").Tap("side-gauge").Tap("nav-compensation").See("pair");
         seat.WaitFor(() => seat.TextOf("detail-title") == "#2 · 0002", "The chosen correction is forgotten.");
         seat.Tap("nav-verification").See("piece-title");
         seat.WaitFor(() => seat.TextOf("piece-title") == "#1 · 0001", "The chosen piece is forgotten.");
@@ -108,7 +108,7 @@ public sealed class DecidingTests
             .WaitFor(() => seat.Shell.IsLocked, "The station does not lock.")
             .SignIn(DemoCell.Operator)
             .Tap("nav-compensation")
-            .See("points");
+            .See("pair");
         seat.WaitFor(() => seat.TextOf("detail-title") == "#1 · 0001", "Somebody else finds the choice of who sat there before.");
 
         void Choose(string row, string title, string label) =>
@@ -127,7 +127,7 @@ public sealed class DecidingTests
 
         // A banner that comes while a finger is down moves what is below it.
         seat.WaitFor(() => seat.Shell.Banner is not null, "Nothing is said of the machine that is away.");
-        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("points");
+        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("pair");
         Assert.Equal("#2 · 0002", seat.TextOf("detail-title"));
         seat.Tap("nav-system").See("side-gauge");
 
@@ -138,7 +138,7 @@ public sealed class DecidingTests
         seat.WaitFor(
             () => seat.Station.State.Status?.Failed.Count == 1 && seat.Shell.Banner is null,
             "The failure is not seen, or the machine is still said to be away.");
-        seat.Tap("nav-compensation").See("points");
+        seat.Tap("nav-compensation").See("pair");
         Assert.Equal(["#1 · 0001", "#2 · 0002"], ((CompensationViewModel)seat.Shell.Current!).Rows.Select(r => r.Title));
         seat.WaitFor(() => seat.TextOf("detail-title") == "#2 · 0002", "What was looked at is forgotten.");
     });

@@ -160,6 +160,7 @@ public sealed class FreeformTests
             new Rect(scroll.Bounds.Size).Contains(new Rect(legend.Bounds.Size).TransformToAABB(legend.TransformToVisual(scroll)!.Value)),
             "The legend is below the edge.");
         Assert.Null(seat.Find("tab-points"));
+        seat.Tap("tab-decisions");
         Assert.Contains("Chordal error at most", seat.TextOf("detail-proof"), StringComparison.Ordinal);
 
         // One unit for one quantity: what the program is displaced by is said in mm wherever it stands.
@@ -175,7 +176,7 @@ public sealed class FreeformTests
         // A mating behind it has its own sides again.
         seat.Cell.Deliver(1, 0);
         seat.WaitFor(() => seat.Find("correction-2") is not null, "The part is not listed.");
-        seat.Tap("correction-2").See("points");
+        seat.Tap("correction-2").See("pair");
         Assert.Null(seat.Find("tab-surface"));
         Assert.False(seat.Find("detail-missing") is { IsEffectivelyVisible: true });
     });
@@ -198,7 +199,7 @@ public sealed class FreeformTests
         Assert.Empty(((FreeformViewModel)seat.Shell.Current!).Detail!.Figures.Warnings);
         seat.Tap("nav-compensation").See("detail-surface-summary");
         Assert.StartsWith("The program calls no tool and stops with an alarm", seat.TextOf("detail-missing"), StringComparison.Ordinal);
-        Assert.True(Top("detail-missing") < Top("detail-proof"));
+        Assert.True(Top("detail-missing") < Top("detail-surface-summary"));
         Texts.Current.Language = Language.TraditionalChinese;
         seat.WaitFor(
             () => seat.TextOf("detail-missing")!.StartsWith("程式沒有換刀指令，會以警報停止", StringComparison.Ordinal),
@@ -216,7 +217,7 @@ public sealed class FreeformTests
         seat.WaitFor(1, CorrectionState.Proposed);
         seat.Cell.DeliverSurface(1, 0);
         seat.WaitFor(2, CorrectionState.Proposed);
-        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("points");
+        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("pair");
         seat.Tap("tab-gap").Tap("correction-2").WaitFor(() => seat.TextOf("detail-title") == "#2 · 0001", "The surface is not shown.");
         var map = (SurfacePlot)seat.See("detail-map");
         seat.WaitFor(

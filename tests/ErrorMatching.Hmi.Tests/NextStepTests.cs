@@ -38,7 +38,7 @@ public sealed class NextStepTests
                 == "Before cutting, read the warnings of the correction: 1, 2 will stay outside. Next: approve or reject it in On-line "
                     + "compensation.",
             "What to do is not said.");
-        seat.Tap("nav-compensation").See("points");
+        seat.Tap("nav-compensation").See("pair");
 
         // What is to be decided here the buttons say.
         Assert.Null(seat.Find("compensation-next"));
@@ -70,7 +70,7 @@ public sealed class NextStepTests
         seat.Cell.Run();
         seat.Cell.Deliver(1, 0);
         seat.WaitFor(1, CorrectionState.Proposed);
-        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("points");
+        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("pair");
         Directory.Move(seat.Cell.MachineFolder, seat.Cell.MachineFolder + "-away");
         seat.Tap("approve").Type("signing-password", DemoCell.Password).Tap("signing-confirm");
         seat.WaitFor(

@@ -7,7 +7,7 @@ namespace ErrorMatching.Hmi.Tests;
 [Trait("Length", "Long")]
 public sealed class ScreenshotTests
 {
-    private static readonly string[] Sides = ["features", "program", "gap", "decisions", "course"];
+    private static readonly string[] Sides = ["points", "counterpart", "features", "program", "gap", "decisions", "course"];
 
     [Fact]
     public Task No_text_is_cut_off_and_nothing_lies_over_anything_else() => Seat.AtAsync(seat =>
@@ -30,7 +30,7 @@ public sealed class ScreenshotTests
         pictures.Take("overview");
 
         seat.Shell.Go(ScreenKeys.Compensation);
-        seat.See("points");
+        seat.See("pair");
         pictures.Take("compensation");
         foreach (var side in Sides)
         {

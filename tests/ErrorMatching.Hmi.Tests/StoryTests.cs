@@ -42,6 +42,7 @@ public sealed class StoryTests
         seat.Tap("nav-overview").See("waiting-1");
         seat.Tap("waiting-1").See("detail-title");
         Assert.Equal("#1 · 0001", seat.TextOf("detail-title"));
+        seat.Tap("tab-decisions");
         Assert.StartsWith(isChinese ? "程式檢核通過" : "Proved", seat.TextOf("detail-proof"), StringComparison.Ordinal);
         seat.Tap("approve").Type("signing-password", DemoCell.Password).Tap("signing-confirm");
         var sent = seat.WaitFor(1, CorrectionState.Verified);

@@ -17,7 +17,7 @@ public sealed class TypingTests
     public Task What_is_typed_ahead_of_a_late_dialog_reaches_it() => Seat.AtAsync(seat =>
     {
         Propose(seat);
-        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("points");
+        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("pair");
         seat.WaitFor(() => seat.See("approve").IsEffectivelyEnabled, "It cannot be approved.");
         seat.User.ClickAndTypeAhead(seat.See("approve"), Secret);
 

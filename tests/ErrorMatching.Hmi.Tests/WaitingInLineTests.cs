@@ -15,7 +15,7 @@ public sealed class WaitingInLineTests
     public Task What_waits_behind_others_says_so_before_and_after_it_is_approved_and_leads_to_the_first_of_them() => Seat.AtAsync(seat =>
     {
         Arrive(seat, 3);
-        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("points");
+        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("pair");
         Assert.Null(seat.Find("compensation-waits"));
         seat.Tap("correction-3").WaitFor(() => seat.TextOf("detail-title") == "#3 · 0003", "It is not shown.").See("compensation-waits");
         Assert.Equal(Behind, ((CompensationViewModel)seat.Shell.Current!).Waits);

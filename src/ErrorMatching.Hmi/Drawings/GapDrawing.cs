@@ -26,6 +26,9 @@ internal sealed record GapDrawing(
     bool IsLong,
     bool IsTurned)
 {
+    // Places of one boundary that are further apart than this part of the outline belong to different lines.
+    private const double Apart = 0.2;
+
     // Share of the drawing that the largest deviation takes.
     private const double Share = 0.08;
 
@@ -34,6 +37,15 @@ internal sealed record GapDrawing(
 
     /// <summary>Half the 95 % interval about each error, by label; empty if it is not known.</summary>
     public IReadOnlyDictionary<string, double> Intervals95Mm { get; private init; } = ReadOnlyDictionary<string, double>.Empty;
+
+    /// <summary>The places where the pair touches, or is tightest, at its seat: position, feature, and the block that cuts it.</summary>
+    public IReadOnlyList<(Point2 At, string Feature, string Block)> Contacts { get; private init; } = [];
+
+    /// <summary>The gap along the boundary at the seat, negative for an overlap; empty unless the pair is drawn at its seat.</summary>
+    public IReadOnlyList<(Point2 At, string Feature, double GapMm)> Seat { get; private init; } = [];
+
+    /// <summary>The place where the error is largest, or least known, with what is said of it; null if it is not marked.</summary>
+    public (Point2 At, string Text)? Worst { get; private init; }
 
     /// <summary>The largest mating error without sign, with its interval if that is known.</summary>
     public string LargestText =>
@@ -44,7 +56,9 @@ internal sealed record GapDrawing(
     {
         get
         {
-            var note = Factor == 1
+            var note = Seat.Count > 0
+                ? Texts.Current.With("Detail.AtSeat", Shown.Count((long)Factor))
+                : Factor == 1
                 ? Texts.Current["Detail.TrueToScale"]
                 : Texts.Current.With("Detail.Exaggerated", Shown.Count((long)Factor));
             return IsTurned ? Texts.Current.With("Detail.NoteTurned", note) : note;
@@ -56,6 +70,65 @@ internal sealed record GapDrawing(
 
     /// <summary>The assembly with compensation.</summary>
     public static GapDrawing After(StoredPiece piece) => Of(piece, p => p.AfterError) with { Intervals95Mm = piece.Intervals95Mm };
+
+    /// <summary>The pair at its seat, with its gaps exaggerated on their own; null if no seat is known.</summary>
+    /// <param name="piece">The key points.</param>
+    /// <param name="pair">The pair at its seat.</param>
+    /// <param name="worst">The worst error that is left; null if it is not known.</param>
+    public static GapDrawing? AtSeat(StoredPiece piece, PairAssembly? pair, ErrorLeft? worst)
+    {
+        if (pair is not { Gaps: { Count: > 1 } gaps })
+        {
+            return null;
+        }
+
+        var all = PlotBox.Of(gaps.Select(g => g.Place));
+        var (width, height) = (all.Right - all.Left, all.High - all.Low);
+        var (largest, isTurned) = (gaps.Max(g => Math.Abs(g.GapMm)), height >= LongFactor * width);
+        var factor = largest == 0 ? 1 : Math.Max(1, RoundNumber.AtMost(Share * Math.Max(width, height) / largest));
+        var lines = Lines(gaps, Apart * Math.Sqrt((width * width) + (height * height)));
+        var drawn = After(piece);
+        var features = gaps.Select(g => g.Feature).ToHashSet(StringComparer.Ordinal);
+        return drawn with
+        {
+            Part = [.. lines.Select(l => (IReadOnlyList<Point2>)[.. l.Select(g => Lying(g.Place))])],
+            Counterpart = [.. lines.Select(l => (IReadOnlyList<Point2>)[.. l.Select(g => Lying(Opposite(g)))])],
+            Points = [
+                .. piece.Result.Boundaries.SelectMany(b => b.Points.Select(p => (Feature: b.Name, Place: Lying(p.Theoretical))))
+                    .Zip(drawn.Points)
+                    .Where(p => features.Contains(p.First.Feature))
+                    .Select(p => p.Second with { At = p.First.Place, Opposite = p.First.Place })],
+            Extent = PlotBox.Of(gaps.SelectMany(g => new[] { Lying(g.Place), Lying(Opposite(g)) })),
+            Factor = factor,
+            LargestMm = largest,
+            IsTurned = isTurned,
+            Contacts = [.. pair.Contacts.Select(c => (Lying(c.Place), c.Feature, c.Block))],
+            Seat = [.. gaps.Select(g => (Lying(g.Place), g.Feature, g.GapMm))],
+            Worst = worst is null ? null : (Lying(worst.Place), MatchVerdictText.At(worst)),
+        };
+
+        // The part is where it is, and the counterpart gives way: what is shown as a gap is one.
+        Point2 Opposite(PairGap gap) => gap.Place - (factor * gap.GapMm * gap.Normal);
+
+        Point2 Lying(Point2 place) => isTurned ? new(place.Y, -place.X) : place;
+    }
+
+    // The places of a feature follow one another along its boundary.
+    private static List<List<PairGap>> Lines(IReadOnlyList<PairGap> gaps, double apart)
+    {
+        List<List<PairGap>> lines = [[gaps[0]]];
+        foreach (var (before, gap) in gaps.Zip(gaps.Skip(1)))
+        {
+            if (gap.Feature != before.Feature || gap.Place.DistanceTo(before.Place) > apart)
+            {
+                lines.Add([]);
+            }
+
+            lines[^1].Add(gap);
+        }
+
+        return lines;
+    }
 
     /// <summary>Half the 95 % interval about the error at a key point; null if it is not known.</summary>
     public double? Interval95Mm(string label) => Intervals95Mm.TryGetValue(label, out var half) ? half : null;

@@ -16,9 +16,14 @@ internal sealed class GapPlot : PlotArea
 
     public static readonly StyledProperty<IBrush?> GapBrushProperty = AvaloniaProperty.Register<GapPlot, IBrush?>(nameof(GapBrush));
 
+    public static readonly StyledProperty<IBrush?> WorstBrushProperty = AvaloniaProperty.Register<GapPlot, IBrush?>(nameof(WorstBrush));
+
+    public static readonly StyledProperty<string?> CaptionProperty = AvaloniaProperty.Register<GapPlot, string?>(nameof(Caption));
+
     private PlotBox _extent = PlotBox.Empty;
 
-    static GapPlot() => AffectsRender<GapPlot>(PartBrushProperty, CounterpartBrushProperty, GapBrushProperty);
+    static GapPlot() =>
+        AffectsRender<GapPlot>(PartBrushProperty, CounterpartBrushProperty, GapBrushProperty, WorstBrushProperty, CaptionProperty);
 
     public GapDrawing? Drawing
     {
@@ -47,11 +52,28 @@ internal sealed class GapPlot : PlotArea
         set => SetValue(GapBrushProperty, value);
     }
 
+    /// <summary>Color of the mark at the worst place.</summary>
+    public IBrush? WorstBrush
+    {
+        get => GetValue(WorstBrushProperty);
+        set => SetValue(WorstBrushProperty, value);
+    }
+
+    /// <summary>What is said above the drawing; null for nothing.</summary>
+    public string? Caption
+    {
+        get => GetValue(CaptionProperty);
+        set => SetValue(CaptionProperty, value);
+    }
+
     /// <inheritdoc/>
     protected override PlotBox Extent => _extent;
 
     /// <inheritdoc/>
-    protected override int DatumCount => Drawing?.Points.Count ?? 0;
+    protected override Thickness Frame => CaptionText() is { } caption ? new(0, caption.Height + (2 * DrawnSizes.Around), 0, 0) : default;
+
+    /// <inheritdoc/>
+    protected override int DatumCount => Drawing is { } drawing ? drawing.Points.Count + drawing.Contacts.Count + drawing.Seat.Count : 0;
 
     /// <inheritdoc/>
     protected override void OnPropertyChanged(AvaloniaPropertyChangedEventArgs change)
@@ -61,17 +83,41 @@ internal sealed class GapPlot : PlotArea
         if (change.Property == DrawingProperty)
         {
             _extent = Drawing?.Extent ?? PlotBox.Empty;
-            Renew([.. Drawing?.Points.Select(p => p.At) ?? []]);
+            Renew(Drawing is { } drawing
+                ? [.. drawing.Points.Select(p => p.At), .. drawing.Contacts.Select(c => c.At), .. drawing.Seat.Select(s => s.At)]
+                : []);
+        }
+        else if (change.Property == CaptionProperty)
+        {
+            ShowAll();
         }
     }
 
     /// <inheritdoc/>
-    protected override PlotDatum? DatumAt(int index) => index >= 0 && Drawing?.Points[index] is var (label, at, _, gap, part, _)
-        ? new(
-            at,
-            Texts.Current.With("Detail.GapAt", label, Shown.SignedMm(-gap, Drawing.Interval95Mm(label)), Shown.SignedMm(part)),
-            index)
-        : null;
+    protected override PlotDatum? DatumAt(int index)
+    {
+        // First the key points, then the contacts, then the gap along the boundary.
+        if (index < 0 || Drawing is not { } drawing)
+        {
+            return null;
+        }
+
+        if (index < drawing.Points.Count)
+        {
+            var (label, at, _, gap, part, _) = drawing.Points[index];
+            return new(
+                at, Texts.Current.With("Detail.GapAt", label, Shown.SignedMm(-gap, drawing.Interval95Mm(label)), Shown.SignedMm(part)), index);
+        }
+
+        if (index < drawing.Points.Count + drawing.Contacts.Count)
+        {
+            var (at, feature, block) = drawing.Contacts[index - drawing.Points.Count];
+            return new(at, Texts.Current.With("Detail.ContactAt", feature, block), index);
+        }
+
+        var (place, name, mm) = drawing.Seat[index - drawing.Points.Count - drawing.Contacts.Count];
+        return new(place, Texts.Current.With("Detail.GapOf", name, Shown.SignedMm(mm)), index);
+    }
 
     /// <inheritdoc/>
     protected override void Draw(DrawingContext context, PlotView view)
@@ -108,6 +154,24 @@ internal sealed class GapPlot : PlotArea
             DrawnSizes.Dot,
             Free);
 
+        if (Drawing.Worst is var (worst, said))
+        {
+            var text = Label(said, isStrong: true);
+            if (labels.Place(text, view.At(worst), DrawnSizes.LabelAway, isName: true) is { } room)
+            {
+                Words(context, text, room);
+            }
+        }
+
+        foreach (var (at, _, block) in Drawing.Contacts.DistinctBy(c => c.Block))
+        {
+            var text = Label(block, isStrong: true);
+            if (labels.Place(text, view.At(at), DrawnSizes.LabelAway) is { } room)
+            {
+                Words(context, text, room);
+            }
+        }
+
         // Without room for all labels, points outside their limits come first.
         foreach (var (name, at, _, _, _, _) in Drawing.Points.OrderByDescending(p => p.IsOutside))
         {
@@ -123,6 +187,33 @@ internal sealed class GapPlot : PlotArea
         {
             context.DrawEllipse(PartBrush, null, view.At(at), DrawnSizes.Dot, DrawnSizes.Dot);
         }
+
+        foreach (var (at, _, _) in Drawing.Contacts)
+        {
+            context.DrawEllipse(null, new Pen(Ink, DrawnSizes.Line), view.At(at), DrawnSizes.Ring, DrawnSizes.Ring);
+        }
+
+        if (Drawing.Worst is var (place, _))
+        {
+            Diamond(context, Ground, new Pen(WorstBrush, DrawnSizes.Line), view.At(place), DrawnSizes.Ring);
+        }
+
+        if (CaptionText() is { } caption)
+        {
+            Words(context, caption, new Point(DrawnSizes.Around, DrawnSizes.Around));
+        }
+    }
+
+    private FormattedText? CaptionText()
+    {
+        if (string.IsNullOrEmpty(Caption))
+        {
+            return null;
+        }
+
+        var text = Label(Caption);
+        text.MaxTextWidth = Math.Max(1, Free.Width - (2 * DrawnSizes.Around));
+        return text;
     }
 
     /// <inheritdoc/>

@@ -12,8 +12,8 @@ namespace ErrorMatching.Hmi;
 /// keys) and fitted. Tapping it shows exact values.</summary>
 /// <remarks>Derived classes give the extent (<see cref="Extent"/>), draw what a <see cref="PlotView"/> shows (<see cref="Draw"/>)
 /// and find the datum near a place (<see cref="DatumNear"/>). They call <see cref="Renew"/> when the data change. The data
-/// themselves belong to view models. Keys: arrows pan, plus and minus zoom, 0 shows all, Space or Enter shows the values nearest
-/// to the center, Page Up and Page Down go to the previous and next datum.</remarks>
+/// themselves belong to view models. Keys: arrows pan, plus and minus zoom, 0 shows all, Escape leaves a plot that fills the screen,
+/// Space or Enter shows the values nearest to the center, Page Up and Page Down go to the previous and next datum.</remarks>
 public abstract class PlotArea : PlotPaper, IDrawnWords
 {
     public static readonly StyledProperty<double> AroundProperty = AvaloniaProperty.Register<PlotArea, double>(nameof(Around));
@@ -28,9 +28,10 @@ public abstract class PlotArea : PlotPaper, IDrawnWords
 
     private const double StepFactor = 1.5, WheelFactor = 1.25, KeyShare = 0.125;
 
-    private readonly StackPanel _buttons;
+    private readonly WrapPanel _buttons;
     private readonly PlotFingers _fingers;
     private PlotDatum? _datum;
+    private PlotEnlarging? _enlarging;
     private PlotIndex _index = new([]);
     private PlotView _view;
     private PlotView _whole;
@@ -45,7 +46,7 @@ public abstract class PlotArea : PlotPaper, IDrawnWords
     protected PlotArea()
     {
         _fingers = new(this);
-        _buttons = PlotButtons.Of(() => ZoomStep(1), () => ZoomStep(-1), ShowAllInBoth);
+        _buttons = PlotButtons.Of(() => ZoomStep(1), () => ZoomStep(-1), ShowAllInBoth, FillOrLeave);
         LogicalChildren.Add(_buttons);
         VisualChildren.Add(_buttons);
     }
@@ -114,6 +115,9 @@ public abstract class PlotArea : PlotPaper, IDrawnWords
 
     /// <summary>Where labels may be placed: not below the buttons.</summary>
     protected Rect Free => new(0, 0, Math.Max(0, Bounds.Width - ButtonsRoom), Bounds.Height);
+
+    /// <summary>True if it fills the screen that it is on.</summary>
+    public bool FillsScreen => _enlarging is not null;
 
     /// <summary>Number of data that Page Up and Page Down step through.</summary>
     protected virtual int DatumCount => 0;
@@ -263,6 +267,24 @@ public abstract class PlotArea : PlotPaper, IDrawnWords
         Twin?.ShowAll();
     }
 
+    private void FillOrLeave()
+    {
+        if (FillsScreen)
+        {
+            Leave();
+        }
+        else
+        {
+            _enlarging = new(this);
+        }
+    }
+
+    private void Leave()
+    {
+        _enlarging?.Leave();
+        _enlarging = null;
+    }
+
     private PlotView Fitted(PlotBox box, Thickness frame)
     {
         var (width, height) = (Bounds.Width - frame.Left - frame.Right, Bounds.Height - frame.Top - frame.Bottom);
@@ -299,6 +321,13 @@ public abstract class PlotArea : PlotPaper, IDrawnWords
     {
         base.OnAttachedToVisualTree(e);
         PlotButtons.Name(_buttons, AutomationProperties.GetAutomationId(this));
+    }
+
+    /// <inheritdoc/>
+    protected override void OnDetachedFromVisualTree(VisualTreeAttachmentEventArgs e)
+    {
+        base.OnDetachedFromVisualTree(e);
+        Leave();
     }
 
     /// <inheritdoc/>
@@ -368,6 +397,7 @@ public abstract class PlotArea : PlotPaper, IDrawnWords
             Key.Subtract or Key.OemMinus => () => ZoomStep(-1),
             Key.D0 or Key.NumPad0 => ShowAllInBoth,
             Key.Space or Key.Enter => () => AskFor(DatumNear(new(Bounds.Width / 2, Bounds.Height / 2), double.PositiveInfinity)),
+            Key.Escape when FillsScreen => Leave,
             Key.PageDown when DatumCount > 0 => () => AskForNext(-1, 1),
             Key.PageUp when DatumCount > 0 => () => AskForNext(DatumCount, -1),
             _ => null,

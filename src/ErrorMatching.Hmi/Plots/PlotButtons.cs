@@ -5,30 +5,32 @@ using Avalonia.Markup.Xaml.MarkupExtensions;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>The buttons of a plot, for those who do not zoom with fingers, wheel or keys.</summary>
+/// <summary>The buttons of a plot, for those who do not zoom with fingers, wheel or keys: in a column, or in several if it is low.</summary>
 internal static class PlotButtons
 {
     /// <summary>Creates them, in the plot's upper right corner.</summary>
     /// <param name="nearer">Zooms in.</param>
     /// <param name="further">Zooms out.</param>
     /// <param name="all">Shows everything.</param>
-    public static StackPanel Of(Action nearer, Action further, Action all)
+    /// <param name="whole">Fills the screen with the plot, or leaves it again.</param>
+    public static WrapPanel Of(Action nearer, Action further, Action all, Action whole)
     {
-        var buttons = new StackPanel
+        var buttons = new WrapPanel
         {
-            Classes = { "near", "buttons" },
+            Classes = { "buttons" },
             HorizontalAlignment = HorizontalAlignment.Right,
             VerticalAlignment = VerticalAlignment.Top
         };
-        buttons.Children.AddRange(
-            [Make("Plot.Nearer", "plus", nearer), Make("Plot.Further", "minus", further), Make("Plot.All", "all", all)]);
+        buttons.Children.AddRange([
+            Make("Plot.Nearer", "plus", nearer), Make("Plot.Further", "minus", further), Make("Plot.All", "all", all),
+            Make("Plot.Whole", "whole", whole)]);
         return buttons;
     }
 
     /// <summary>Gives them the AutomationIds that belong to their plot's.</summary>
-    public static void Name(StackPanel buttons, string? plot)
+    public static void Name(WrapPanel buttons, string? plot)
     {
-        foreach (var (button, part) in buttons.Children.Zip(["nearer", "further", "all"]))
+        foreach (var (button, part) in buttons.Children.Zip(["nearer", "further", "all", "whole"]))
         {
             AutomationProperties.SetAutomationId(button, $"{plot}-{part}");
         }

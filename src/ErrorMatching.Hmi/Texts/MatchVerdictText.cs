@@ -61,6 +61,13 @@ internal static class MatchVerdictText
         };
     }
 
+    /// <summary>An error at its place in a picture: the point, or the feature between its points, and the error with its interval.</summary>
+    public static string At(ErrorLeft error)
+    {
+        ArgumentNullException.ThrowIfNull(error);
+        return Texts.Current.With(error.IsKnown ? "Pair.WorstAt" : "Pair.NotKnownAt", error.Point ?? error.Feature, Signed(error));
+    }
+
     /// <summary>The risk that a point will be outside its limits, with the program and without compensation; null if it is not
     /// known.</summary>
     public static string? Risk(MatchReport report)

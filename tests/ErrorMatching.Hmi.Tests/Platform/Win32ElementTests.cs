@@ -142,7 +142,7 @@ public sealed unsafe class Win32ElementTests
         seat.Cell.Run();
         seat.Cell.Deliver(1, 0);
         seat.WaitFor(1, CorrectionState.Proposed);
-        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("points");
+        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("pair");
         var (approve, leave) = (seat.See("approve"), seat.See("sign-out"));
         seat.WaitFor(() => approve.IsEffectivelyEnabled, "Nothing can be approved.");
         Assert.Equal(true, Property(Of<IElementProvider>(leave), Uia.IsEnabled));

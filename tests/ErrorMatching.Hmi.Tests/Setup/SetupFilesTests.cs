@@ -57,6 +57,7 @@ public sealed class SetupFilesTests
         Assert.Equal(
             StoredReport.Read(console.ReportJson()).Match!.KeyPoints.Select(p => p.Correction),
             seat.System.Detail!.Stored.Report!.KeyPoints.Select(p => p.Correction));
+        seat.Seat.Tap("tab-decisions");
         Assert.Contains("Proved", seat.TextOf("detail-proof"), StringComparison.Ordinal);
 
         // By how much it moves at most, and where, is its own; it has no course, and its program can be looked at.

@@ -222,6 +222,7 @@ public sealed class SystemSetupTests
         seat.Seat.WaitFor(() => seat.System.Detail is not null, "Nothing is shown.");
         Assert.Equal("#1 · 0001", seat.TextOf("detail-title"));
         Assert.Null(seat.Seat.Find("tab-course"));
+        seat.Seat.Tap("tab-decisions");
         var place = StoredMove.PlaceOf(seat.Seat.Station.Store.Corrections.StepsOf(1))!;
         Assert.Equal(Texts.Current.With("Head.LargestAt", Shown.Mm(computed.LargestMm), place), seat.TextOf("detail-largest"));
         var kept = StoredReport.Read(seat.Seat.Station.Store.Content(computed.ReportSha256!)).Match!;
@@ -235,6 +236,8 @@ public sealed class SystemSetupTests
         Assert.All(
             kept.KeyPoints.Zip(seat.System.Detail!.Stored.Report!.KeyPoints),
             p => Assert.Equal(0, ((p.First.Correction * 0.5) - p.Second.Correction).Length, 1e-8));
+
+        seat.Seat.Tap("tab-decisions");
 
         // On a corner, half the correction is about half the way of the vertex.
         var half = Shown.Mm(0.5 * computed.LargestMm)[..3];

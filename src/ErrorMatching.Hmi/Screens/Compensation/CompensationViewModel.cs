@@ -489,7 +489,7 @@ internal sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         CorrectionLabel.Of(c),
         Station.JobNames.Of(c) ?? "",
         Texts.Current.Word(c.State),
-        c.LargestMm is { } mm ? Shown.Mm(mm) + " mm" : "",
+        c.LargestMm is { } mm ? Shown.Mm(mm) : "",
         _heldUp.Contains(c.Id) ? Severity.Attention : CorrectionLabel.SeverityOf(c.State),
         IsOfChangedJob(c.Id));
 }

@@ -27,6 +27,8 @@ internal sealed class CorrectionDetail
             (_piece, _verdict) = (StoredPiece.Predicted(kept.Correction, report), report.Verdict);
             Points = [.. report.KeyPoints.Zip(_piece.Result.Points, Row)];
             (Before, After) = (GapDrawing.Before(_piece), GapDrawing.After(_piece));
+            Seat = GapDrawing.AtSeat(_piece, _verdict.Pair, _verdict.WorstBetween ?? _verdict.Worst) ?? After;
+            Counterparts = [.. report.KeyPoints.Where(p => p.InProgram is not null).Select(Row)];
         }
 
         Surface = kept.Surface is { } surface ? new(surface, kept.Correction.IsToBeCut) : null;
@@ -107,6 +109,11 @@ internal sealed class CorrectionDetail
 
     public IReadOnlyList<PointRow> Points { get; } = [];
 
+    /// <summary>Where the counterpart is to be cut; empty for a report of an earlier version.</summary>
+    public IReadOnlyList<CounterpartRow> Counterparts { get; } = [];
+
+    public bool HasCounterparts => Counterparts.Count > 0;
+
     /// <summary>What the errors in <see cref="Points"/> mean.</summary>
     public string PointsNote => Texts.Current[_piece?.IsBeforeMeasured == true ? "Detail.PointsNoteMeasured" : "Detail.PointsNote"];
 
@@ -153,6 +160,13 @@ internal sealed class CorrectionDetail
     /// <summary>The assembly with compensation.</summary>
     public GapDrawing? After { get; }
 
+    /// <summary>The pair at its seat; with compensation, as predicted, if no seat is known.</summary>
+    public GapDrawing? Seat { get; }
+
+    /// <summary>How the pair goes together, and what its picture shows.</summary>
+    public string SeatCaption => Seat is null ? "" : Sentence.Joined(
+        _verdict!.Pair is { } pair ? PairText.Of(pair, _verdict.AllLimits) : "", Seat.Note);
+
     /// <summary>The exaggeration and the largest gap without compensation.</summary>
     public string BeforeCaption => Before is null ? "" : Texts.Current.With("Detail.GapBefore", Before.LargestText);
 
@@ -164,6 +178,9 @@ internal sealed class CorrectionDetail
 
     /// <summary>True unless a proof fails.</summary>
     public bool IsProved => ProofSeverity != Severity.Alarm;
+
+    /// <summary>True if a proof fails.</summary>
+    public bool IsDisproved => HasProof && !IsProved;
 
     public Severity ProofSeverity => Surface?.ProofSeverity ?? (Stored.Report is { Proof.Holds: true } ? Severity.Quiet : Severity.Alarm);
 
@@ -191,7 +208,7 @@ internal sealed class CorrectionDetail
     public IReadOnlyList<Fact> Facts => [.. new[]
     {
         Verdict is { } verdict ? new Fact(verdict, VerdictSeverity) : null,
-        HasProof && !IsProved ? new(Proof, ProofSeverity) : null,
+        IsDisproved ? new(Proof, ProofSeverity) : null,
         Offset is { } offset ? new(offset, Severity.Quiet) : null,
         Largest is { } largest ? new(largest, Severity.Quiet) : null,
         LeftOver is { Length: > 0 } left ? new(left, Severity.Quiet) : null,
@@ -222,6 +239,17 @@ internal sealed class CorrectionDetail
         Shown.SignedMm(errors.BeforeError.NormalMm),
         Shown.SignedMm(errors.AfterError.NormalMm, p.Interval95Mm),
         _piece!.Result.IsOutside(p.Point, errors.AfterError.NormalMm));
+
+    private static CounterpartRow Row(ReportKeyPoint p) => new(
+        p.Point,
+        p.Feature,
+        string.Join(", ", p.Blocks),
+        Shown.Mm(p.InProgram!.Value.X),
+        Shown.Mm(p.InProgram.Value.Y),
+        Shown.SignedMm(p.Correction.X),
+        Shown.SignedMm(p.Correction.Y),
+        Shown.Mm(p.Corrected!.Value.X),
+        Shown.Mm(p.Corrected.Value.Y));
 
     private static QuantityRow Row(ReportFeature feature, ReportQuantity q)
     {
@@ -267,6 +295,27 @@ internal sealed class CorrectionDetail
 
     private static bool IsFromCounterpart(MatchReport report) => report.Compensation.From == CompensationSource.Counterpart;
 }
+
+/// <summary>A key point of the counterpart in a table, in the frame of its program; lengths in mm.</summary>
+/// <param name="Point">Its label.</param>
+/// <param name="Feature">Its feature.</param>
+/// <param name="Blocks">The blocks that cut it.</param>
+/// <param name="TheoreticalX">As designed, x.</param>
+/// <param name="TheoreticalY">As designed, y.</param>
+/// <param name="CompensationX">Displacement of the program, x.</param>
+/// <param name="CompensationY">Displacement of the program, y.</param>
+/// <param name="CorrectedX">As corrected, x.</param>
+/// <param name="CorrectedY">As corrected, y.</param>
+internal sealed record CounterpartRow(
+    string Point,
+    string Feature,
+    string Blocks,
+    string TheoreticalX,
+    string TheoreticalY,
+    string CompensationX,
+    string CompensationY,
+    string CorrectedX,
+    string CorrectedY);
 
 /// <summary>A key point in a table; lengths in mm.</summary>
 /// <param name="Point">Its label.</param>

@@ -62,7 +62,9 @@ internal sealed partial class CorrectionDetailView : UserControl
             ? detail.Lines is not null
             : side == CourseSide
             ? detail.HasCourse
-            : detail.HasReport;
+            : side == CounterpartSide
+            ? detail.HasCounterparts
+            : side == DecisionsSide || detail.HasReport;
 
     private void OnPrevious(object? sender, RoutedEventArgs e) =>
         Show(Lines?.Changes.Where(c => c < At()).Select(c => (int?)c).LastOrDefault());
@@ -70,9 +72,7 @@ internal sealed partial class CorrectionDetailView : UserControl
     private void OnNext(object? sender, RoutedEventArgs e) =>
         Show(Lines?.Changes.Where(c => c > At()).Select(c => (int?)c).FirstOrDefault());
 
-    private void OnWarnings(object? sender, RoutedEventArgs e) => ShowWarnings();
-
-    private void ShowWarnings() => Sides.SelectedItem = DecisionsSide.IsVisible ? DecisionsSide : SurfaceSide;
+    private void ShowWarnings() => Sides.SelectedItem = DecisionsSide;
 
     private int At() => ProgramList.SelectedIndex;
 

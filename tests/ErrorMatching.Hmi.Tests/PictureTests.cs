@@ -1,0 +1,119 @@
+using Avalonia.Controls;
+using Avalonia.Input;
+using Avalonia.VisualTree;
+using ErrorMatching.Cell;
+using ErrorMatching.Geometry;
+
+namespace ErrorMatching.Hmi.Tests;
+
+/// <summary>The picture is in the middle of a screen: it has at least half of it at 1280x800, and all of it at one tap.</summary>
+public sealed class PictureTests
+{
+    private const double MostHead = 120;
+
+    [Theory]
+    [InlineData(Language.English)]
+    [InlineData(Language.TraditionalChinese)]
+    public Task The_pair_has_half_of_the_content_and_all_of_it_at_one_tap(Language language) => Seat.AtAsync(seat =>
+    {
+        Arrive(seat);
+        Texts.Current.Language = language;
+        seat.User.Settle();
+        Assert.Equal((1280, 800), (seat.Window.Width, seat.Window.Height));
+        var content = Layout.In(seat.Window.GetVisualDescendants().OfType<ScreenHost>().First(h => h.IsEffectivelyVisible), seat.Window);
+        var pair = (PlotArea)seat.See("pair");
+        Assert.InRange(Share(), 0.5, 0.6);
+        Assert.InRange(Layout.In(seat.See("detail-head").FindAncestorOfType<Border>()!, seat.Window).Height, 40, MostHead);
+
+        seat.Tap("pair-whole");
+        Assert.True(pair.FillsScreen);
+        Assert.InRange(Share(), 0.9, 1);
+        Assert.All(["approve", "corrections", "detail-head", "tab-points"], id => Assert.Null(seat.Find(id)));
+        seat.Tap("pair-whole");
+        Assert.InRange(Share(), 0.5, 0.6);
+        Assert.All(["approve", "corrections", "detail-head", "tab-points"], id => Assert.NotNull(seat.Find(id)));
+
+        // Escape leaves it, and so does whatever takes the plot from the screen.
+        seat.Tap("pair-whole");
+        pair.Focus();
+        seat.User.Press(Key.Escape);
+        Assert.False(pair.FillsScreen);
+        seat.Tap("pair-whole").Tap("nav-overview").Tap("nav-compensation").See("approve");
+        Assert.InRange(Layout.In(seat.See("pair"), seat.Window).Height, 100, 600);
+
+        double Share()
+        {
+            var place = Layout.Seen(pair, seat.Window);
+            return place.Width * place.Height / (content.Width * content.Height);
+        }
+    });
+
+    [Fact]
+    public Task Sixteen_points_are_seen_without_scrolling() => Seat.AtAsync(seat =>
+    {
+        var detail = Arrive(seat);
+        Assert.Equal(16, detail.Points.Count);
+        foreach (var (side, rows) in new[] { ("tab-points", "points"), ("tab-counterpart", "counterparts") })
+        {
+            seat.Tap(side).WaitFor(() => seat.See(rows).GetVisualDescendants().OfType<ListBoxItem>().Count() == 16, "Rows are missing.");
+            Assert.All(
+                seat.See(rows).GetVisualDescendants().OfType<ListBoxItem>(),
+                r => Assert.Equal(r.Bounds.Height, Layout.Seen(r, seat.Window).Height, 1.0));
+        }
+    });
+
+    [Fact]
+    public Task The_pair_is_drawn_at_its_seat_with_its_contacts_and_the_worst_place() => Seat.AtAsync(seat =>
+    {
+        var detail = Arrive(seat);
+        var (pair, drawing) = (detail.Stored.Report!.Pair!, detail.Seat!);
+
+        // The sample is tall: it is drawn lying.
+        Assert.True(drawing.IsTurned);
+        Assert.Equal(pair.Contacts.Select(c => (Lying(c.Place), c.Feature, c.Block)), drawing.Contacts);
+
+        // The counterpart is away from the part by the gap, exaggerated, toward its own material; where they overlap, it is within the part.
+        Assert.Equal(pair.Gaps.Count, drawing.Part.Sum(l => l.Count));
+        Assert.All(
+            pair.Gaps.Zip(drawing.Part.SelectMany(l => l), drawing.Counterpart.SelectMany(l => l)),
+            g =>
+            {
+                Assert.Equal(Lying(g.First.Place), g.Second);
+                Assert.Equal(drawing.Factor * g.First.GapMm, (g.Second - g.Third).Dot(new(g.First.Normal.Y, -g.First.Normal.X)), 1e-6);
+            });
+        Assert.InRange(drawing.Factor * drawing.LargestMm, 1, 0.1 * (drawing.Extent.Right - drawing.Extent.Left));
+        var worst = detail.Stored.Report.Verdict.WorstBetween!;
+        Assert.Equal((Lying(worst.Place), MatchVerdictText.At(worst)), drawing.Worst);
+        Assert.Contains(Shown.SignedMm(worst.MatingErrorMm, worst.Interval95Mm), drawing.Worst!.Value.Text, StringComparison.Ordinal);
+
+        // A tap tells the gap there, away from points and contacts, which tell their own.
+        var plot = (GapPlot)seat.See("pair");
+        var (at, feature, mm) = drawing.Seat.MaxBy(
+            s => drawing.Points.Select(p => p.At).Concat(drawing.Contacts.Select(c => c.At)).Min(p => p.DistanceTo(s.At)));
+        seat.User.Tap(plot, plot.View.At(at));
+        Assert.Equal($"{feature}: gap {Shown.SignedMm(mm)} mm", plot.Values?.Replace('\u00a0', ' '));
+
+        static Point2 Lying(Point2 place) => new(place.Y, -place.X);
+    });
+
+    [Fact]
+    public void Without_a_seat_the_picture_is_that_of_the_key_points()
+    {
+        var report = SampleReport.Of(j => j);
+        var piece = StoredPiece.Predicted(
+            new(1, CorrectionState.Proposed, 1, "cmm", "part-0001.csv", DateTimeOffset.UnixEpoch, new string('0', 64), 1), report);
+        Assert.NotNull(GapDrawing.AtSeat(piece, report.Pair, report.Verdict.Worst));
+        Assert.Null(GapDrawing.AtSeat(piece, null, report.Verdict.Worst));
+        Assert.Null(GapDrawing.AtSeat(piece, report.Pair! with { Gaps = [] }, null));
+        Assert.Null(GapDrawing.AtSeat(piece, report.Pair, null)!.Worst);
+    }
+
+    private static CorrectionDetail Arrive(Seat seat)
+    {
+        seat.Cell.Run();
+        seat.Cell.Deliver(1, 0);
+        seat.WaitFor(1, CorrectionState.Proposed);
+        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("pair");
+        return ((CompensationViewModel)seat.Shell.Current!).Detail!;
+    }
+}
