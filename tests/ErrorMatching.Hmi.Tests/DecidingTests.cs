@@ -16,7 +16,7 @@ public sealed class DecidingTests
         var screen = (CompensationViewModel)seat.Shell.Current!;
         Assert.Equal("#1 · 0001", seat.TextOf("detail-title"));
         Assert.Equal(
-            new[] { 1L, 2L }.Select(id => (id, "Complex mating", Shown.Mm(seat.Station.Store.Find(id)!.LargestMm) + " mm")),
+            new[] { 1L, 2L }.Select(id => (id, "Complex mating", Shown.Mm(seat.Station.Store.Find(id)!.LargestMm))),
             screen.Rows.Select(r => (r.Id, r.Job, r.Largest)));
         var approve = Place(seat, "approve");
         seat.Tap("approve").Type("signing-password", DemoCell.Password).Tap("signing-confirm");

@@ -22,7 +22,7 @@ public sealed class KeyboardTests
         }
 
         var decisions = new CorrectionDecisions(seat.Station.Store);
-        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("points");
+        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("pair");
         seat.Tap("reject").See("signing-reason");
         seat.User.Press(Key.Enter);
         Assert.NotNull(seat.Find("signing-reason"));
@@ -66,7 +66,7 @@ public sealed class KeyboardTests
         }
 
         seat.Shell.Look(1);
-        seat.See("points");
+        seat.See("pair");
         walk.Around("compensation");
         seat.Tap("tab-program").See("program");
         walk.Around("compensation program");
@@ -78,7 +78,7 @@ public sealed class KeyboardTests
         walk.Around("signing", first: "signing-password");
         seat.User.Press(Key.Escape);
 
-        Go(ScreenKeys.Verification, "plot-errors");
+        Go(ScreenKeys.Verification, "pair");
         walk.Around("verification");
         Go(ScreenKeys.Freeform, "plan");
         walk.Around("freeform");

@@ -12,7 +12,7 @@ namespace ErrorMatching.Hmi.Tests;
 /// before a signature is read before it.</summary>
 public sealed class LowWindowTests
 {
-    private static readonly string[] Sides = ["points", "features", "program", "decisions", "course"];
+    private static readonly string[] Sides = ["points", "counterpart", "features", "program", "decisions", "course"];
 
     // What is read before a decision on the screen of corrections: never behind an edge.
     private static readonly string[] Read = [
@@ -73,7 +73,7 @@ public sealed class LowWindowTests
 
             foreach (var (screen, id) in new[]
             {
-                (ScreenKeys.Verification, "plot-errors"), (ScreenKeys.History, "found-1"), (ScreenKeys.Messages, "audit")
+                (ScreenKeys.Verification, "pair"), (ScreenKeys.History, "found-1"), (ScreenKeys.Messages, "audit")
             })
             {
                 seat.Shell.Go(screen);

@@ -14,7 +14,7 @@ public sealed class VerificationTests
     // Four of these make an error along the normal.
     private const double RoundedMm = 2e-9;
 
-    private static readonly string[] Sides = ["assembly", "improvement", "trend", "error-points"];
+    private static readonly string[] Sides = ["errors", "assembly", "improvement", "trend", "error-points", "piece-details"];
 
     [Fact]
     public Task What_a_measured_counterpart_shows_is_what_the_console_says_of_the_same_files() => Seat.AtAsync(seat =>
@@ -25,6 +25,7 @@ public sealed class VerificationTests
         seat.SignIn(DemoCell.Operator).Tap("nav-verification").See("piece-title");
         var detail = ((VerificationViewModel)seat.Shell.Current!).Detail!;
         Assert.Equal(("#1 · 0001", "Measured"), (seat.TextOf("piece-title"), seat.TextOf("piece-kind")));
+        seat.Tap("tab-piece-details");
         Assert.Equal(
             "With compensation: as measured on #2 · 0001. Without: the uncompensated counterpart that the job names, as measured in "
                 + "counterpart.csv.",
@@ -97,6 +98,7 @@ public sealed class VerificationTests
         var worst = missed.MaxBy(p => p.Mm);
         Assert.True(missed.Length > 6);
         Assert.DoesNotContain("Hollow", detail.TrendCaption, StringComparison.Ordinal);
+        seat.Tap("tab-piece-details");
         Assert.Equal(
             $"Prediction missed by more than twice the gauge's standard uncertainty: {missed.Length} "
                 + $"({string.Join(", ", missed.Take(6).Select(p => p.Label))} …); largest miss {Shown.Mm(worst.Mm)}\u00a0mm at "
@@ -132,6 +134,7 @@ public sealed class VerificationTests
 
         Assert.Equal(WantedGap.Outside, detail.Points.Where(p => p.IsOutside).Select(p => p.Point));
         Assert.Equal("2 points outside their limits: 1, 2. Within limits without compensation: 2.", seat.TextOf("piece-verdict"));
+        seat.Tap("tab-piece-details");
         Assert.StartsWith("Expected to be better by ", seat.TextOf("piece-summary"), StringComparison.Ordinal);
 
         // It is shown as soon as it is computed, and put forward a moment later.
@@ -200,7 +203,7 @@ public sealed class VerificationTests
     {
         seat.Cell.Run();
         CutAndMeasure(seat, 1, 0);
-        seat.SignIn(DemoCell.Operator).Tap("nav-verification").See("plot-errors");
+        seat.SignIn(DemoCell.Operator).Tap("nav-verification").Tap("tab-errors").See("plot-errors");
         var plot = (SeriesPlot)seat.See("plot-errors");
         var places = plot.Drawing!.Lines.SelectMany(l => l.Values.Select((v, i) => plot.View.ToScreen(new(i, v ?? 0))));
         Assert.All(
@@ -221,14 +224,14 @@ public sealed class VerificationTests
         Assert.True(plot.Inside.Right <= Avalonia.VisualExtensions.TranslatePoint(seat.See("plot-errors-nearer"), default, plot)!.Value.X);
         seat.Tap("tab-trend");
         var trend = Words((SeriesPlot)seat.See("plot-trend"));
-        Assert.All(["mm", "0.1", "0.5", "0"], w => Assert.Contains(w, trend));
+        Assert.All(["mm", "0.10", "0.50", "0"], w => Assert.Contains(w, trend));
         Assert.DoesNotContain(trend, w => w.StartsWith('+'));
         seat.Tap("tab-errors").See("plot-errors");
         seat.Tap("plot-errors-nearer");
         Assert.True(plot.View.ScaleX > scale);
 
         // So near, the limits have room on the axis between its numbers.
-        Assert.All(["mm", "+0.05", "−0.05", "+0.1", "−0.3", "0"], w => Assert.Contains(w, Words(plot)));
+        Assert.All(["mm", "+0.05", "−0.05", "+0.10", "−0.30", "0"], w => Assert.Contains(w, Words(plot)));
         seat.User.Press(Avalonia.Input.Key.Tab);
         plot.Focus();
         seat.User.Press(Avalonia.Input.Key.PageDown);
@@ -287,8 +290,8 @@ public sealed class VerificationTests
         seat.SignIn(DemoCell.Operator).Tap("nav-verification").Tap("tab-improvement").See("improvements");
         var result = ((VerificationViewModel)seat.Shell.Current!).Detail!.Features;
         Assert.Contains(result, f => f.IsWorse);
-        Assert.StartsWith("Worse by ", seat.TextOf("piece-summary"), StringComparison.Ordinal);
-        Assert.Contains("attention", seat.See("piece-summary").Classes);
+        Assert.StartsWith("Worse by ", seat.TextOf("piece-worse"), StringComparison.Ordinal);
+        Assert.Contains("attention", seat.See("piece-worse").Classes);
         Assert.All(result, f => Assert.Equal(f.IsWorse, f.Improvement.StartsWith("Worse by ", StringComparison.Ordinal)));
         Assert.All(
             Percents(), t => Assert.Equal(t.Text!.StartsWith("Worse by ", StringComparison.Ordinal), t.Classes.Contains("attention")));

@@ -27,7 +27,7 @@ internal sealed record GapDrawing(
     bool IsTurned)
 {
     // Places of one boundary that are further apart than this part of the outline belong to different lines.
-    private const double Apart = 0.2;
+    private const double ApartShare = 0.2;
 
     // Share of the drawing that the largest deviation takes.
     private const double Share = 0.08;
@@ -86,7 +86,7 @@ internal sealed record GapDrawing(
         var (width, height) = (all.Right - all.Left, all.High - all.Low);
         var (largest, isTurned) = (gaps.Max(g => Math.Abs(g.GapMm)), height >= LongFactor * width);
         var factor = largest == 0 ? 1 : Math.Max(1, RoundNumber.AtMost(Share * Math.Max(width, height) / largest));
-        var lines = Lines(gaps, Apart * Math.Sqrt((width * width) + (height * height)));
+        var lines = Lines(gaps, ApartShare * Math.Sqrt((width * width) + (height * height)));
         var drawn = After(piece);
         var features = gaps.Select(g => g.Feature).ToHashSet(StringComparer.Ordinal);
         return drawn with

@@ -15,13 +15,14 @@ internal sealed class Tour(Seat seat)
         ("machine", "edit-compensation.gain"),
         ("gauge", "contribution-add")];
     private static readonly (string Side, string Shows)[] Mating = [
-        ("features", "quantities"), ("program", "program"), ("gap", "gap-after"), ("decisions", "decisions"), ("course", "steps")];
+        ("points", "points"), ("counterpart", "counterparts"), ("features", "quantities"), ("program", "program"), ("gap", "gap-after"), ("decisions", "decisions"), ("course", "steps")];
     private static readonly (string Side, string Shows)[] Piece = [
         ("errors", "plot-errors"),
         ("assembly", "assembly-after"),
         ("improvement", "improvements"),
         ("trend", "plot-trend"),
-        ("error-points", "error-points")];
+        ("error-points", "error-points"),
+        ("piece-details", "piece-summary")];
     private static readonly (string Side, string Shows)[] Surface =
         [
             ("map", "map"),
@@ -59,7 +60,7 @@ internal sealed class Tour(Seat seat)
         look("overview");
         SetUp(look);
         Correct(look);
-        Open(ScreenKeys.Verification, "plot-errors");
+        Open(ScreenKeys.Verification, "pair");
         Sides(look, "verification", "tab-", Piece);
         Open(ScreenKeys.Freeform, "surface-title");
         Sides(look, "freeform", "tab-", Surface);
@@ -83,7 +84,7 @@ internal sealed class Tour(Seat seat)
     private void Correct(Action<string> look)
     {
         seat.Shell.Look(1);
-        seat.See("points");
+        seat.See("pair");
         look("compensation of what is at a machine");
         seat.Shell.Look(3);
         seat.WaitFor(() => seat.TextOf("detail-title") == "#3 · 0002", "The proposed one is not shown.");

@@ -27,6 +27,7 @@ internal sealed class PieceDetail : Observable
         Errors = ErrorsOf();
         Trend = TrendOf(series);
         (Before, After) = (GapDrawing.Before(piece), GapDrawing.After(piece));
+        Seat = GapDrawing.AtSeat(piece, Pair, piece.Verdict?.Worst ?? piece.Match?.Verdict.WorstBetween ?? piece.Match?.Verdict.Worst) ?? After;
     }
 
     /// <summary>Number and serial number or file.</summary>
@@ -107,6 +108,9 @@ internal sealed class PieceDetail : Observable
 
     public Severity MissedSeverity => IsMissed ? Severity.Attention : Severity.Quiet;
 
+    /// <summary>True if the details say what somebody should know.</summary>
+    public bool NeedsReading => IsMissed || IsWorse || Warnings is not null;
+
     /// <summary>What the user should do now, in a sentence.</summary>
     public string ToDo
     {
@@ -148,6 +152,13 @@ internal sealed class PieceDetail : Observable
 
     /// <summary>The assembly with compensation.</summary>
     public GapDrawing After { get; }
+
+    /// <summary>The pair at its seat, as measured, or as predicted until it is; with compensation, if no seat is known.</summary>
+    public GapDrawing Seat { get; }
+
+    /// <summary>How the pair goes together, and what its picture shows.</summary>
+    public string SeatCaption => Sentence.Joined(
+        Pair is { } pair ? PairText.Of(pair, _piece.Result.Boundaries.Select(b => b.ErrorBand)) : "", Seat.Note);
 
     /// <summary>The largest gap or overlap without compensation.</summary>
     public string BeforeCaption => Texts.Current.With("Verify.AssemblyBefore", Before.LargestText);
@@ -191,6 +202,8 @@ internal sealed class PieceDetail : Observable
 
     // No program can meet its deviation, but other limits or another point may help: the correction warned of it.
     private bool IsOnCorner(string point) => _piece.Match?.OnCorners.Contains(point, StringComparer.Ordinal) == true;
+
+    private PairAssembly? Pair => _piece.Pair ?? (_piece.IsMeasured ? null : _piece.Match?.Pair);
 
     private IReadOnlyList<PredictionMiss> Significant => [.. _piece.Misses.Where(m => m.IsSignificant)];
 
