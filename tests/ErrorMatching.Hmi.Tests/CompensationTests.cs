@@ -83,6 +83,7 @@ public sealed class CompensationTests
     public Task Each_group_of_figures_has_its_name_over_its_middle(Language language) => Seat.AtAsync(seat =>
     {
         Arrive(seat, DemoCell.Operator);
+        seat.Tap("tab-points");
         Texts.Current.Language = language;
         seat.User.Settle();
         var texts = seat.Window.GetVisualDescendants().OfType<TextBlock>().Where(t => t.IsEffectivelyVisible).ToArray();

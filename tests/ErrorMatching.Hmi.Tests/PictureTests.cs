@@ -97,6 +97,36 @@ public sealed class PictureTests
     });
 
     [Fact]
+    public Task The_path_beside_a_program_follows_the_line_that_is_found_and_leads_to_the_line_of_a_move() => Seat.AtAsync(seat =>
+    {
+        var detail = Arrive(seat);
+        seat.Tap("tab-program").See("program-path");
+        var (plot, list) = ((PathPlot)seat.See("program-path"), (ListBox)seat.See("program"));
+        Assert.Equal(seat.Station.Store.Content(detail.Stored.Correction.ProgramSha256!), detail.Lines!.Modified.ToArray());
+        Assert.Equal(detail.Lines.Count, plot.Picture!.Program.Count);
+
+        seat.Type("program-find", "N160").Tap("program-find-down");
+        Assert.StartsWith("N160 ", ((ProgramLine)list.SelectedItem!).Modified, StringComparison.Ordinal);
+        Assert.Equal(BlockRange.Between(list.SelectedIndex, list.SelectedIndex), plot.Picture.Selection);
+        Assert.Null(seat.Find("program-not-found"));
+        seat.Type("program-find", "G99999").Tap("program-find-up");
+        Assert.Equal("It is in neither program.", seat.TextOf("program-not-found"));
+        Assert.StartsWith("N160 ", ((ProgramLine)list.SelectedItem!).Modified, StringComparison.Ordinal);
+
+        // What is tapped in the path is lit in the text, and seen there.
+        var motion = plot.Picture.Program.Path.Motions.Length - 1;
+        plot.Picture.LightMotion(motion);
+        seat.User.Settle();
+        Assert.Equal(plot.Picture.Program.Path.Motions.BlockOf(motion), list.SelectedIndex);
+        Assert.NotNull(list.ContainerFromIndex(list.SelectedIndex));
+
+        // A job that cannot be read any more leaves the text.
+        File.WriteAllText(seat.Station.Settings.Jobs[0].File, "{");
+        var without = new CorrectionDetail(detail.Stored, TimeProvider.System);
+        Assert.Null(without.PictureAsync().GetAwaiter().GetResult());
+    });
+
+    [Fact]
     public void Without_a_seat_the_picture_is_that_of_the_key_points()
     {
         var report = SampleReport.Of(j => j);

@@ -26,6 +26,40 @@ public sealed class ProgramLinesTests
     }
 
     [Fact]
+    public void A_block_a_line_and_a_text_are_found_either_way_and_around_the_end()
+    {
+        var lines = Of(
+            "%\nN1 G0\n/N12 X1.\nN120 X2. (roughing)\nN12X3.\nM30\n",
+            "%\n(MARK)\nN1 G0\n/N12 X1.\nN120 X2.5 (roughing)\nN12X3.\nM30\n",
+            new ReportBlock("N120", 4, "N120 X2. (roughing)", "N120 X2.5 (roughing)", [new(5, 3)], [new(5, 4)]));
+
+        // N12 is not N120, with a slash before it or without a blank behind it.
+        Assert.Equal([3, 5, 3], Walk("N12", 1, 3));
+        Assert.Equal([5, 3], Walk("n12", -1, 2));
+        Assert.Equal(4, lines.Find("N120", -1, 1));
+        Assert.Null(lines.Find("N1200", -1, 1));
+
+        // The number of a line in the new program, which the control's screen counts.
+        Assert.Equal((1, 6), (lines.Find("2", 5, 1), lines.Find(" 7 ", -1, -1)));
+        Assert.Null(lines.Find("8", -1, 1));
+        Assert.Null(lines.Find("0", -1, 1));
+
+        // Whatever stands in one of the two programs.
+        Assert.Equal((4, 4, 1), (lines.Find("ROUGH", -1, 1), lines.Find("X2. ", -1, 1), lines.Find("mark", -1, -1)));
+        Assert.Null(lines.Find("finishing", 2, 1));
+        Assert.Null(lines.Find("  ", -1, 1));
+        Assert.Null(Of("", "").Find("N1", -1, 1));
+
+        IEnumerable<int?> Walk(string words, int step, int times)
+        {
+            for (int? at = -1; times > 0; times--)
+            {
+                yield return at = lines.Find(words, at!.Value, step);
+            }
+        }
+    }
+
+    [Fact]
     public void A_million_blocks_are_counted_and_read_by_number_without_being_made_into_text()
     {
         var program = Encoding.ASCII.GetBytes(string.Concat(Enumerable.Repeat("G1 X1. Y2.\n", 1_000_000)));

@@ -1,4 +1,5 @@
 using System.Collections;
+using System.Globalization;
 using ErrorMatching.Mating;
 using ErrorMatching.Nc;
 
@@ -22,7 +23,7 @@ internal sealed class ProgramLines : IList, IReadOnlyList<ProgramLine>
     public ProgramLines(
         ReadOnlyMemory<byte> original, ReadOnlyMemory<byte> modified, IReadOnlyList<ReportBlock> blocks, string? marker = null)
     {
-        (_original, _modified, Bytes) = (NcProgram.Read(original), NcProgram.Read(modified), modified.Length);
+        (_original, _modified, Modified, Bytes) = (NcProgram.Read(original), NcProgram.Read(modified), modified, modified.Length);
         _changed = blocks.Where(b => b.Original.Length > 0).ToDictionary(b => b.Line - 1);
         _inserted = [.. Inserted()];
         Changes = [.. _changed.Keys.Select(RowOf).Concat(_inserted.Where(i => Text(_modified, i).Trim() != marker?.Trim())).Order()];
@@ -30,6 +31,9 @@ internal sealed class ProgramLines : IList, IReadOnlyList<ProgramLine>
 
     /// <summary>Indexes of the lines that differ, without the marker, which changes no motion.</summary>
     public IReadOnlyList<int> Changes { get; }
+
+    /// <summary>The new program.</summary>
+    public ReadOnlyMemory<byte> Modified { get; }
 
     /// <summary>Length of the new program.</summary>
     public long Bytes { get; }
@@ -103,6 +107,58 @@ internal sealed class ProgramLines : IList, IReadOnlyList<ProgramLine>
     void IList.RemoveAt(int index) => throw new NotSupportedException();
 
     void ICollection.CopyTo(Array array, int index) => throw new NotSupportedException();
+
+    /// <summary>The next line, after the last one the first again, that is what somebody looks for: a block by its number (<c>N120</c>),
+    /// a line by its number in the new program (<c>35</c>), or a text in either program, in capital or small letters.</summary>
+    /// <param name="words">What to look for.</param>
+    /// <param name="from">The line before the first one to look at; -1 for none.</param>
+    /// <param name="step">1 to go down, -1 to go up.</param>
+    /// <returns>Its index; null if there is none.</returns>
+    public int? Find(string words, int from, int step)
+    {
+        words = words.Trim();
+        if (words.Length == 0 || Count == 0)
+        {
+            return null;
+        }
+
+        if (int.TryParse(words, NumberStyles.None, CultureInfo.InvariantCulture, out var line))
+        {
+            return line >= 1 && line <= Count ? line - 1 : null;
+        }
+
+        var number = BlockNumber(words);
+        for (var (i, looked) = (from < 0 && step < 0 ? 0 : from, 0); looked < Count; looked++)
+        {
+            i = (i + step + Count) % Count;
+            var (modified, place) = (Text(_modified, i), Array.BinarySearch(_inserted, i));
+            var original = place >= 0 ? "" : Text(_original, i - ~place);
+            if (number is { } n && words.Length == number.Length + 1
+                ? BlockNumber(modified) == n
+                : modified.Contains(words, StringComparison.OrdinalIgnoreCase)
+                    || original.Contains(words, StringComparison.OrdinalIgnoreCase))
+            {
+                return i;
+            }
+        }
+
+        return null;
+    }
+
+    // The digits of the number that a block begins with, also behind a slash; null without one.
+    private static string? BlockNumber(string block)
+    {
+        var text = block.AsSpan().TrimStart("/ \t");
+        if (text.IsEmpty || text[0] is not ('N' or 'n'))
+        {
+            return null;
+        }
+
+        var digits = text[1..];
+        var end = digits.IndexOfAnyExceptInRange('0', '9');
+        digits = end < 0 ? digits : digits[..end];
+        return digits.IsEmpty ? null : digits.ToString();
+    }
 
     // One character per byte, so that the report's spans match.
     private static string Text(NcProgram program, int block) => System.Text.Encoding.Latin1.GetString(program.BytesOf(program[block]));

@@ -35,12 +35,19 @@ internal sealed record StoredCorrection(
     /// <summary>Where the program is moved most, for a trial run; null if a step records it.</summary>
     public Statement? TriedAt { get; init; }
 
+    /// <summary>The file of its job as it is now; null if the cell has none of this name.</summary>
+    public string? JobFile { get; init; }
+
     /// <summary>The workpiece's name; null before it is recognized.</summary>
     public string? JobName => Report?.Job.Name ?? Surface?.JobName ?? Correction.Job;
 
     /// <summary>The workpiece, its number, and its serial number or file.</summary>
     public string Subject =>
         JobName is { Length: > 0 } name ? $"{name} · {CorrectionLabel.Of(Correction)}" : CorrectionLabel.Of(Correction);
+
+    /// <summary>The same with the file of its job.</summary>
+    public StoredCorrection With(CellSettings settings) =>
+        this with { JobFile = settings.Jobs.FirstOrDefault(j => j.Name == Correction.Job && !j.IsFreeform)?.File };
 
     /// <summary>Reads it. Slow: do not call it on the UI thread.</summary>
     /// <param name="store">The store.</param>

@@ -432,7 +432,7 @@ internal sealed class CompensationViewModel : ScreenViewModel, ILooksAt
             {
                 var kept = detail?.Stored is { } known && known.Correction.Id == id && known.Correction.Version == correction.Version
                     ? known
-                    : StoredCorrection.Read(Station.Store, correction);
+                    : StoredCorrection.Read(Station.Store, correction).With(Station.Settings);
                 read = new(kept, Station.Clock) { IsOfChangedJob = isOfChangedJob };
             }
         });

@@ -1,5 +1,7 @@
 using ErrorMatching.Cell;
+using ErrorMatching.Jobs;
 using ErrorMatching.Mating;
+using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Hmi;
@@ -10,6 +12,7 @@ internal sealed class CorrectionDetail
     private readonly TimeProvider _clock;
     private readonly StoredPiece? _piece;
     private readonly MatchVerdict? _verdict;
+    private Task<ProgramPicture?>? _picture;
 
     /// <summary>Formats the details. Slow; may run off the UI thread.</summary>
     public CorrectionDetail(StoredCorrection kept, TimeProvider clock)
@@ -139,6 +142,23 @@ internal sealed class CorrectionDetail
 
     /// <summary>The two programs; null if there are none, or if the program was newly generated, as only a surface's can be.</summary>
     public ProgramLines? Lines => IsSurface && Stored.Correction.BaseSha256 is null ? null : Stored.Lines;
+
+    /// <summary>The path of the new program, to be drawn beside its text; null where its control is not known, as of a surface. Slow, and
+    /// read once.</summary>
+    public Task<ProgramPicture?> PictureAsync() => _picture ??= Task.Run(() =>
+    {
+        try
+        {
+            return Lines is { } lines && Stored is { Report: not null, JobFile: { } file }
+                ? new ProgramPicture(OpenedProgram.Read(lines.Modified, InputFile.DialectOf(new JobFiles(file).Job))) { IsReadOnly = true }
+                : null;
+        }
+        catch (Exception e) when (e is InputException or ArgumentException)
+        {
+            // The job or its dialect was changed since: the text is shown without a path.
+            return null;
+        }
+    });
 
     /// <summary>True if two programs are shown, once they exist.</summary>
     public bool ShowsProgram => !IsSurface || Lines is not null;

@@ -1,5 +1,7 @@
+using System.ComponentModel;
 using Avalonia;
 using Avalonia.Controls;
+using Avalonia.Input;
 using Avalonia.Interactivity;
 using Avalonia.Threading;
 
@@ -27,6 +29,8 @@ internal sealed partial class CorrectionDetailView : UserControl
             }
         };
         ProgramList.Loaded += (_, _) => BeginAtFirstChange();
+        Sides.SelectionChanged += (_, e) => ShowPathIfOpened(e.Source);
+        ProgramSide.DataContextChanged += (_, _) => ShowPathIfOpened(Sides);
         ProgramList.PropertyChanged += (_, e) =>
         {
             if (e.Property == ItemsControl.ItemsSourceProperty)
@@ -65,6 +69,76 @@ internal sealed partial class CorrectionDetailView : UserControl
             : side == CounterpartSide
             ? detail.HasCounterparts
             : side == DecisionsSide || detail.HasReport;
+
+    private void OnFindUp(object? sender, RoutedEventArgs e) => Find(-1);
+
+    private void OnFindDown(object? sender, RoutedEventArgs e) => Find(1);
+
+    private void OnSoughtKey(object? sender, KeyEventArgs e)
+    {
+        if (e.Key == Key.Enter)
+        {
+            Find(1);
+            e.Handled = true;
+        }
+    }
+
+    private void Find(int step)
+    {
+        var found = Lines?.Find(Sought.Text ?? "", At(), step);
+        NotFound.IsVisible = found is null && !string.IsNullOrWhiteSpace(Sought.Text);
+        Show(found);
+    }
+
+    private void ShowPathIfOpened(object? source)
+    {
+        if (source == Sides)
+        {
+            _ = ShowPathAsync().Watched();
+        }
+    }
+
+    // The path is read when somebody looks at the program, and only then.
+    private async Task ShowPathAsync()
+    {
+        if (DataContext is not CorrectionDetail detail || Sides.SelectedItem != ProgramSide)
+        {
+            return;
+        }
+
+        var picture = await detail.PictureAsync();
+        if (DataContext != detail)
+        {
+            return;
+        }
+
+        if (ProgramPath.Picture is { } old)
+        {
+            old.PropertyChanged -= OnPath;
+        }
+
+        picture?.PropertyChanged += OnPath;
+        ProgramPath.Picture = picture;
+        ProgramPath.IsVisible = picture is not null;
+        Grid.SetColumnSpan(ProgramTexts, picture is null ? 2 : 1);
+    }
+
+    // A line that is chosen lights its moves, and a move that is tapped its line.
+    private void OnLine(object? sender, SelectionChangedEventArgs e)
+    {
+        if (ProgramPath.Picture is { } picture && At() is >= 0 and var line && picture.Selection != BlockRange.Between(line, line))
+        {
+            picture.Light(line);
+        }
+    }
+
+    private void OnPath(object? sender, PropertyChangedEventArgs e)
+    {
+        if (sender is ProgramPicture { Selection: { } chosen } && chosen.First != At() && chosen.First < ProgramList.ItemCount)
+        {
+            Show(chosen.First);
+        }
+    }
 
     private void OnPrevious(object? sender, RoutedEventArgs e) =>
         Show(Lines?.Changes.Where(c => c < At()).Select(c => (int?)c).LastOrDefault());

@@ -331,7 +331,7 @@ internal sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
         if (await TryAsync(() =>
         {
             var correction = new CorrectionDecisions(Station.Store).Demand(id);
-            read = new(StoredCorrection.Read(Station.Store, correction), Station.Clock);
+            read = new(StoredCorrection.Read(Station.Store, correction).With(Station.Settings), Station.Clock);
             measured = MatingChoice.Of(Station.Settings).FirstOrDefault(m => m.Jobs.Contains(
                 correction.Job, StringComparer.Ordinal)) is { } mating
                 ? _kept.Read(Station.Store, mating.Jobs, StoredPieces.Most).FirstOrDefault(
