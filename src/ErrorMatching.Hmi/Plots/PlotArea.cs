@@ -2,6 +2,7 @@ using Avalonia;
 using Avalonia.Automation;
 using Avalonia.Automation.Peers;
 using Avalonia.Controls;
+using Avalonia.Controls.Primitives;
 using Avalonia.Input;
 using Avalonia.Media;
 using ErrorMatching.Geometry;
@@ -28,7 +29,7 @@ public abstract class PlotArea : PlotPaper, IDrawnWords
 
     private const double StepFactor = 1.5, WheelFactor = 1.25, KeyShare = 0.125;
 
-    private readonly WrapPanel _buttons;
+    private readonly UniformGrid _buttons;
     private readonly PlotFingers _fingers;
     private PlotDatum? _datum;
     private PlotEnlarging? _enlarging;

@@ -1,11 +1,13 @@
 using Avalonia.Automation;
 using Avalonia.Controls;
+using Avalonia.Controls.Primitives;
 using Avalonia.Layout;
 using Avalonia.Markup.Xaml.MarkupExtensions;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>The buttons of a plot, for those who do not zoom with fingers, wheel or keys: in a column, or in several if it is low.</summary>
+/// <summary>The buttons of a plot, for those who do not zoom with fingers, wheel or keys: two by two, so that a low plot has room for them
+/// and none moves when its height changes.</summary>
 internal static class PlotButtons
 {
     /// <summary>Creates them, in the plot's upper right corner.</summary>
@@ -13,9 +15,9 @@ internal static class PlotButtons
     /// <param name="further">Zooms out.</param>
     /// <param name="all">Shows everything.</param>
     /// <param name="whole">Fills the screen with the plot, or leaves it again.</param>
-    public static WrapPanel Of(Action nearer, Action further, Action all, Action whole)
+    public static UniformGrid Of(Action nearer, Action further, Action all, Action whole)
     {
-        var buttons = new WrapPanel
+        var buttons = new UniformGrid
         {
             Classes = { "buttons" },
             HorizontalAlignment = HorizontalAlignment.Right,
@@ -28,7 +30,7 @@ internal static class PlotButtons
     }
 
     /// <summary>Gives them the AutomationIds that belong to their plot's.</summary>
-    public static void Name(WrapPanel buttons, string? plot)
+    public static void Name(UniformGrid buttons, string? plot)
     {
         foreach (var (button, part) in buttons.Children.Zip(["nearer", "further", "all", "whole"]))
         {

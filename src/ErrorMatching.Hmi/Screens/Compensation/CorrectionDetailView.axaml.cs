@@ -46,6 +46,7 @@ internal sealed partial class CorrectionDetailView : UserControl
         ArgumentNullException.ThrowIfNull(e);
         base.OnSizeChanged(e);
         Classes.Set("low", e.NewSize.Height < LowHeight);
+        LayPath();
     }
 
     private ProgramLines? Lines => (DataContext as CorrectionDetail)?.Lines;
@@ -119,8 +120,14 @@ internal sealed partial class CorrectionDetailView : UserControl
 
         picture?.PropertyChanged += OnPath;
         ProgramPath.Picture = picture;
-        ProgramPath.IsVisible = picture is not null;
-        Grid.SetColumnSpan(ProgramTexts, picture is null ? 2 : 1);
+        LayPath();
+    }
+
+    // In a low window, the rows come first.
+    private void LayPath()
+    {
+        ProgramPath.IsVisible = ProgramPath.Picture is not null && !Classes.Contains("low");
+        Grid.SetColumnSpan(ProgramTexts, ProgramPath.IsVisible ? 1 : 2);
     }
 
     // A line that is chosen lights its moves, and a move that is tapped its line.
