@@ -70,7 +70,15 @@ internal sealed class GapPlot : PlotArea
     protected override PlotBox Extent => _extent;
 
     /// <inheritdoc/>
-    protected override Thickness Frame => CaptionText() is { } caption ? new(0, caption.Height + (2 * DrawnSizes.Around), 0, 0) : default;
+    protected override Thickness Frame
+    {
+        get
+        {
+            // Names of blocks are wider than those of points.
+            var beside = Drawing?.Contacts.Count > 0 ? DrawnSizes.LegendMark : 0;
+            return new(beside, CaptionText() is { } caption ? caption.Height + (2 * DrawnSizes.Around) : 0, beside, 0);
+        }
+    }
 
     /// <inheritdoc/>
     protected override int DatumCount => Drawing is { } drawing ? drawing.Points.Count + drawing.Contacts.Count + drawing.Seat.Count : 0;
