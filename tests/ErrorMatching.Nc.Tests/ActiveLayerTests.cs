@@ -209,7 +209,7 @@ public sealed class ActiveLayerTests
         NcMeaning.Unknown or NcMeaning.Harmless or (>= NcMeaning.Rapid and <= NcMeaning.CompensationRight)
             or (>= NcMeaning.ReferenceReturn and <= NcMeaning.SuppressFrames)
             or (>= NcMeaning.DrillCycle and <= NcMeaning.OpaqueMotion) or (>= NcMeaning.BoltCircle and <= NcMeaning.CornerChamfer)
-            or (>= NcMeaning.ToolAxisRetract and <= NcMeaning.BoltLine) => Layer.Nothing,
+            or (>= NcMeaning.ToolAxisRetract and <= NcMeaning.MeasuringCycle) => Layer.Nothing,
         _ => throw new InvalidOperationException($"Say here whether {meaning} changes a layer between program and machine."),
     };
 

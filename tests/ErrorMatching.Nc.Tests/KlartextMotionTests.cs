@@ -89,6 +89,21 @@ public sealed class KlartextMotionTests
         Assert.Equal(4 + blocks.Count(c => c == '\n'), problem.Block);
     }
 
+    // Where it touched, and how far it went back, only the machine knows.
+    [Fact]
+    public void Behind_a_touch_the_place_is_unknown_until_it_is_stated()
+    {
+        const string Touch = "TCH PROBE 3.0 MEASURING\nTCH PROBE 3.1 Q1\nTCH PROBE 3.2 X ANGLE: -30\n"
+            + "TCH PROBE 3.3 DIST +4 F100 MB2 REFERENCE SYSTEM: 0\nTCH PROBE 3.4 ERRORMODE0\n";
+        var path = Read(Origin + Touch + "L Z+50 FMAX\nL X+9 Y+8 Z+50 F500\n");
+        Assert.Empty(path.Problems);
+        Assert.DoesNotContain(path.Notes, n => n.Code == "cycle-not-followed");
+        var motions = path.Motions.ToArray()[^3..];
+        Assert.Equal((MotionKind.Probe, AxisSet.All), (motions[0].Kind, motions[0].UnknownEnd));
+        Assert.Equal((AxisSet.X | AxisSet.Y, AxisSet.None), (motions[1].UnknownEnd, motions[2].UnknownEnd));
+        Assert.Equal("unknown-word", Read(Origin + Touch.Replace("3.", "1.", StringComparison.Ordinal)).Problems[0].Code);
+    }
+
     [Fact]
     public void Free_contours_are_refused_with_their_place()
     {

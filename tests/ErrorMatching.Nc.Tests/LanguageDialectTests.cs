@@ -46,7 +46,7 @@ public sealed class LanguageDialectTests
             [
                 "arc-sense", "compensation-left", "compensation-off", "compensation-right", "compensation-sharp-corner",
                 "compensation-unfollowed", "computed-contour", "cycle-call", "harmless", "inch", "machine-coordinates",
-                "metric", "opaque-call", "opaque-transform", "opaque-transform-off",
+                "measuring-cycle", "metric", "opaque-call", "opaque-transform", "opaque-transform-off",
                 "plane-xy", "plane-yz", "plane-zx", "rapid-in-block", "smoothing", "tool-axis-retract", "unknown", "unknown-origin",
             ],
             KebabNames.Of(typeof(NcMeaning)).Keys.Except(refused).Order(StringComparer.Ordinal));

@@ -16,6 +16,22 @@ public class NotesTests
         Assert.Empty(path.Problems);
     }
 
+    // Its first argument says what else it does than to touch.
+    [Theory]
+    [InlineData("0,,,1,-12.5,2,2,1,1,1,\"\"", true)]
+    [InlineData("100,1,,1,-12.5,2,2,1,1,1,\"\"", false)]
+    [InlineData("R1,1,,1,-12.5,2,2,1,1,1,\"\"", false)]
+    [InlineData("", false)]
+    public void A_cycle_that_only_touches_is_a_probing_move_to_an_unknown_place(string arguments, bool measures)
+    {
+        var path = Bench.Read($"G90 G17 G71\nG0 X0 Y0 Z5\nCYCLE978({arguments})\nG1 X1 F100\n", NcDialects.Siemens840D);
+        var motion = path.Motions[^2];
+        Assert.Equal(measures ? MotionKind.Probe : MotionKind.Cycle, motion.Kind);
+        Assert.Equal(AxisSet.All, motion.UnknownEnd);
+        Assert.Equal(AxisSet.Y | AxisSet.Z, path.Motions[^1].UnknownEnd);
+        Assert.Equal(measures, path.Notes.All(n => n.Code != "cycle-not-followed"));
+    }
+
     [Fact]
     public void Arcs_that_lead_to_a_contour_and_away_from_it_are_noted()
     {

@@ -64,6 +64,9 @@ internal sealed class BlockStatements(NcControl control, BlockCodes codes, Cycle
             case NcMeaning.CycleCall:
                 calls.Call(statement);
                 return MotionFlags.None;
+            case NcMeaning.MeasuringCycle:
+                calls.Call(statement, measures: true);
+                return MotionFlags.None;
             case NcMeaning.ArcSense:
                 codes.TakeSense(control.Run.BytesOf(statement));
                 TakeOversize(statement, name.Length);

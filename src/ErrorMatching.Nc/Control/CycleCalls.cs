@@ -27,12 +27,15 @@ internal sealed class CycleCalls(NcControl control, Corners corners)
     public void BeginModal() => (_modal, _nextIsModal) = (null, true);
 
     /// <summary>Stores a call with its arguments.</summary>
-    public void Call(NcToken token)
+    /// <param name="token">The call.</param>
+    /// <param name="measures">True if the dialect says that it only touches.</param>
+    public void Call(NcToken token, bool measures = false)
     {
         var name = control.Run.NameOf(token);
         var number = name.Length > 5 && Ascii.EqualsIgnoreCase(name[..5], "CYCLE"u8)
             && int.TryParse(name[5..], NumberStyles.None, CultureInfo.InvariantCulture, out var n) ? n : 0;
         var call = new CycleCall(Encoding.ASCII.GetString(name).ToUpperInvariant(), number, ArgumentsOf(token));
+        call = call with { Measures = measures || MeasuresOnly(call) };
         if (_nextIsModal)
         {
             (_modal, _nextIsModal) = (call, false);
@@ -59,6 +62,13 @@ internal sealed class CycleCalls(NcControl control, Corners corners)
     {
         // The tool leaves the plane first, so no corner is rounded.
         corners.Drop();
+        if (call.Measures)
+        {
+            control.Result.DependOnPlace();
+            control.Moves.Append(MotionKind.Probe, MotionFlags.Cycle, control.State.Position, AxisSet.All);
+            return;
+        }
+
         if (_patterns.PlacesOf(call) is { } places)
         {
             RunPattern(places, call.Number != 801);
@@ -82,6 +92,9 @@ internal sealed class CycleCalls(NcControl control, Corners corners)
         control.Moves.Append(MotionKind.Cycle, MotionFlags.Cycle,
             plane.Lift(plane.Project(control.State.Position), height ?? plane.Height(control.State.Position)), unknown);
     }
+
+    // One touch along an axis that writes no offset. Its first argument says what else the cycle does.
+    private static bool MeasuresOnly(CycleCall call) => call.Number == 978 && call[0] == 0;
 
     private void RunPattern(List<Point2> places, bool hasOrder)
     {
@@ -151,6 +164,9 @@ internal sealed class CycleCalls(NcControl control, Corners corners)
 /// <param name="Arguments">The arguments.</param>
 internal sealed record CycleCall(string Name, int Number, IReadOnlyList<double?> Arguments)
 {
+    /// <summary>True if it only touches: it cuts nothing and writes no offset.</summary>
+    public bool Measures { get; init; }
+
     public double? this[int index] => index < Arguments.Count ? Arguments[index] : null;
 
     /// <summary>True if the program knows the values of these arguments, apart from omitted ones.</summary>

@@ -43,7 +43,7 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
         NcMeaning.PlaneYZ, NcMeaning.Inch, NcMeaning.Metric, NcMeaning.CompensationOff, NcMeaning.CompensationLeft,
         NcMeaning.CompensationRight, NcMeaning.MachineCoordinates, NcMeaning.OpaqueTransform, NcMeaning.OpaqueTransformOff,
         NcMeaning.Smoothing, NcMeaning.OpaqueCall, NcMeaning.CycleCall, NcMeaning.CompensationSharpCorner,
-        NcMeaning.CompensationUnfollowed,
+        NcMeaning.CompensationUnfollowed, NcMeaning.MeasuringCycle,
     ];
 
     public List<Refusal> Problems { get; } = [];
@@ -361,7 +361,8 @@ internal sealed class DialectReader(DialectDocument document, DialectTables tabl
                 when LanguageSpelling.Of(tables.Syntax)?.NamesTool(Encoding.ASCII.GetBytes(subject.Word)) == false =>
                 "another meaning: no tool can follow this word",
             _ when isCode && !LanguageSpelling.HasCodesIn(tables.Syntax) => "a word: programs in this syntax have no codes",
-            NcMeaning.CycleCall or NcMeaning.ModalCycle when isCode => "another meaning: only a word of several letters can have this one",
+            NcMeaning.CycleCall or NcMeaning.ModalCycle or NcMeaning.MeasuringCycle when isCode =>
+                "another meaning: only a word of several letters can have this one",
             NcMeaning.WorkOffset or NcMeaning.ReferenceReturn or NcMeaning.StoreReference when !isCode =>
                 "another meaning: only a G code can have this one",
             _ => null,

@@ -375,4 +375,8 @@ public enum NcMeaning : byte
 
     /// <summary>Runs the active cycle at holes on a line from the place of the block (G72 of Haas).</summary>
     BoltLine,
+
+    /// <summary>Moves a probe from where it is until it touches, and back: a word that changes no offset. Positions are unknown until the
+    /// program states them; modes stay (TCH PROBE 3).</summary>
+    MeasuringCycle,
 }

@@ -14,6 +14,7 @@ internal static class KlartextStatements
         ["BEGIN", "END", "BLK", "TOOL", "CYCL", "CALL", "TCH", "APPR", "DEP", "SEL", "FUNCTION", "PLANE", "TRANS", "PATTERN"];
 
     private const string CycleDefinition = "CYCLDEF";
+    private const string ProbeCycle = "TCHPROBE";
     private const NumberStyles Signed = NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint;
 
     /// <summary>The keyword or assignment that a block begins with; null if it begins with a word.</summary>
@@ -85,7 +86,7 @@ internal static class KlartextStatements
             return "PLANERESET"u8;
         }
 
-        var isCycle = Is(name.AsSpan(0, length), CycleDefinition);
+        var isCycle = Is(name.AsSpan(0, length), CycleDefinition) || Is(name.AsSpan(0, length), ProbeCycle);
         if (!isCycle && !Is(name.AsSpan(0, length), "FN") && !Is(name.AsSpan(0, length), "M"))
         {
             return name.AsSpan(0, length);
