@@ -104,6 +104,21 @@ public sealed class KlartextMotionTests
         Assert.Equal("unknown-word", Read(Origin + Touch.Replace("3.", "1.", StringComparison.Ordinal)).Problems[0].Code);
     }
 
+    // A probing program has such a branch at every point.
+    [Theory]
+    [InlineData("STOP\nM30\n", null)]
+    [InlineData("; not touched\nSTOP ; look\nM2\n", null)]
+    [InlineData("L Z+9 FMAX\nM30\n", "unknown-condition")]
+    [InlineData("STOP\n", "unknown-condition")]
+    public void A_branch_that_only_stops_is_passed_where_only_the_machine_knows(string stopped, string? refusal)
+    {
+        var points = string.Concat(Enumerable.Range(1, 9).Select(i =>
+            $"FN 18: SYSREAD Q4 = ID990 NR1\nFN 9: IF +Q4 EQU -1 GOTO LBL \"MISSED\"\nL X+{i} Y+0 Z+1 F500\n"));
+        var path = Read(Origin + points + $"M30\nLBL \"MISSED\"\n{stopped}");
+        Assert.Equal(refusal, path.Refusal?.Code);
+        Assert.Equal(refusal is null, path.Notes.Any(n => n.Code == "conditional-stop"));
+    }
+
     [Fact]
     public void Free_contours_are_refused_with_their_place()
     {

@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Text;
 using ErrorMatching.Json;
 using ErrorMatching.Nc;
@@ -32,6 +33,11 @@ public sealed class ProbingProgram
     /// <summary>The standalone program.</summary>
     public ReadOnlyMemory<byte> Bytes { get; }
 
+    /// <summary>The file that the control needs beside the program, with its name; null if it needs none.</summary>
+    public (string Name, ReadOnlyMemory<byte> Bytes)? Beside => Template.BesideName is { } name
+        ? (name, Encoding.UTF8.GetBytes(Text([ProbingTemplate.Beside], behind: null)))
+        : null;
+
     /// <summary>Creates the program for the plan of a surface.</summary>
     /// <param name="plan">A plan without refusals.</param>
     /// <param name="job">Name of the job, for a comment.</param>
@@ -57,7 +63,8 @@ public sealed class ProbingProgram
     /// a shop's own.</param>
     /// <param name="order">The shop's order number, for a comment; null if there is none.</param>
     /// <exception cref="InputException">The dialect cannot interpret the result of the template (<c>bad-template</c>), or a value of
-    /// the job would be written as 0 (<c>rounds-to-zero</c>).</exception>
+    /// the job would be written as 0 (<c>rounds-to-zero</c>), or the template cannot touch in the direction of a point
+    /// (<c>untouchable-point</c>).</exception>
     public static ProbingProgram Of(
         ProbingMoves moves, string job, NcDialect dialect, ProbingTemplate template, string? order = null)
     {
@@ -65,6 +72,7 @@ public sealed class ProbingProgram
         ArgumentNullException.ThrowIfNull(dialect);
         ArgumentNullException.ThrowIfNull(template);
         template.CheckAsksFor(moves.Tool, moves.ToolKey);
+        moves = moves with { Assumed = [.. moves.Assumed, .. template.Assumes] };
         template.CheckAsksForAssumed(moves.Assumed);
         var program = new ProbingProgram(moves, dialect, template, new(moves, job, order, dialect, template.File));
         program.Check();
@@ -138,5 +146,12 @@ public sealed class ProbingProgram
             {
                 Write(text, body, each, behind);
             }
-        });
+        },
+        refused => InputException.At("untouchable-point", Template.File, string.Create(
+            CultureInfo.InvariantCulture,
+            $"{NameOf(point!)} faces ({point!.Normal.X:0.###}, {point.Normal.Y:0.###}, {point.Normal.Z:0.###}): {refused.Text}. Choose "
+                + $"another template, or write one of your own.")));
+
+    private static string NameOf(ProbingTouch point) => point.Name.Length > 0 ? $"point {point.Name}"
+        : FormattableString.Invariant($"point {point.Number}");
 }

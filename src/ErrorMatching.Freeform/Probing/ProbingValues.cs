@@ -20,7 +20,7 @@ internal sealed class ProbingValues(ProbingMoves moves, string job, string? orde
     public static readonly string[] OfPoint =
         [
             "point", "i", "j", "name", "approach.x", "approach.y", "approach.z", "contact.x", "contact.y", "contact.z", "center.x",
-            "center.y", "center.z", "overtravel.x", "overtravel.y", "overtravel.z"];
+            "center.y", "center.z", "overtravel.x", "overtravel.y", "overtravel.z", "angle", "start.mm", "surface.mm", "search.mm", "reach.mm"];
 
     public string this[string place, ProbingTouch? point, ProbedBehind? behind] => place switch
     {
@@ -28,14 +28,14 @@ internal sealed class ProbingValues(ProbingMoves moves, string job, string? orde
         "order" => _comments.Of(order ?? ""),
         "plan" => moves.Plan,
         "count" => moves.Touches.Count.ToString(CultureInfo.InvariantCulture),
-        "clearance.z" => Mm(moves.ClearanceZ, up: true),
+        "clearance.z" => Coordinate(moves.ClearanceZ, up: true),
         "feed.measuring" => NotZero("feedMmPerMin", moves.FeedMmPerMin),
         "feed.approach" => NotZero("feedMmPerMin", moves.FeedMmPerMin * ApproachSpeed),
         "stylus.diameter" => NotZero("stylusDiameterMm", moves.StylusDiameterMm),
         "overtravel.mm" => NotZero("overtravelMm", moves.OvertravelMm),
         "approach.mm" => NotZero("approachMm", moves.ApproachMm),
         "cut.measurement" => behind?.MeasurementSha256 ?? "",
-        "assumed" => _comments.Of(string.Join(", ", moves.Assumed)),
+        "assumed" => _comments.Of(Shortened(string.Join(", ", moves.Assumed))),
         _ when TemplateGrammar.ToolPlaces.Contains(place, StringComparer.Ordinal) => moves.Tool!.ValueOf(place, template),
         _ => OfOne(place, point!),
     };
@@ -50,13 +50,18 @@ internal sealed class ProbingValues(ProbingMoves moves, string job, string? orde
         TemplateGrammar.Tool => moves.Tool is not null,
         TemplateGrammar.ToolByName => moves.Tool?.Name is not null,
         ProbingTemplate.AlongAxis => AxisOf(point!) is not null,
+        ProbingTemplate.InPlane => Math.Abs(point!.Normal.Z) <= HalfIncrement,
+        ProbingTemplate.TowardPlus => AxisOf(point!) switch { 'x' => point!.Normal.X, 'y' => point!.Normal.Y, _ => point!.Normal.Z } < 0,
         _ => AxisOf(point!) == condition[^1],
     };
+
+    // Of a unit normal: half a least increment of the measuring move.
+    private double HalfIncrement => 0.5 * Elementary.Pow(10, -dialect.MetricDecimals) / (moves.ApproachMm + moves.OvertravelMm);
 
     // The axis of the measuring move, if the other coordinates stay within half an increment.
     private char? AxisOf(ProbingTouch point)
     {
-        var half = 0.5 * Elementary.Pow(10, -dialect.MetricDecimals) / (moves.ApproachMm + moves.OvertravelMm);
+        var half = HalfIncrement;
         var (x, y, z) = (Math.Abs(point.Normal.X) <= half, Math.Abs(point.Normal.Y) <= half, Math.Abs(point.Normal.Z) <= half);
         return (x, y, z) switch { (false, true, true) => 'x', (true, false, true) => 'y', (true, true, false) => 'z', _ => null };
     }
@@ -71,6 +76,17 @@ internal sealed class ProbingValues(ProbingMoves moves, string job, string? orde
                 return point.Number.ToString(CultureInfo.InvariantCulture);
             case "i" or "j":
                 return (place == "i" ? point.Grid?.I : point.Grid?.J)?.ToString(CultureInfo.InvariantCulture) ?? "";
+            case "angle":
+                return Coordinate((new Vector2(-point.Normal.X, -point.Normal.Y).Direction).Degrees);
+            case "start.mm" or "surface.mm" or "search.mm" or "reach.mm":
+                var start = (point.Approach - point.Center).Length;
+                return NotZero("approachMm", place switch
+                {
+                    "start.mm" => start,
+                    "surface.mm" => start + (moves.StylusDiameterMm / 2),
+                    "search.mm" => Math.Min(start, moves.OvertravelMm),
+                    _ => start + moves.OvertravelMm,
+                });
         }
 
         var at = place[..^2] switch
@@ -80,7 +96,7 @@ internal sealed class ProbingValues(ProbingMoves moves, string job, string? orde
             "center" => point.Center,
             _ => point.Overtravel,
         };
-        return Mm(place[^1] switch { 'x' => at.X, 'y' => at.Y, _ => at.Z });
+        return Coordinate(place[^1] switch { 'x' => at.X, 'y' => at.Y, _ => at.Z });
     }
 
     // A positive value of the job must not round to 0: at a feed of 0 the control stops, and a probe that does not move touches nothing.
@@ -89,6 +105,20 @@ internal sealed class ProbingValues(ProbingMoves moves, string job, string? orde
         CultureInfo.InvariantCulture,
         $"measuring.{key} would be written as 0: {value} is less than half of the least increment of {dialect.Name}, "
             + $"{Elementary.Pow(10, -dialect.MetricDecimals)}. A larger one is expected"));
+
+    // A comment of the control has room for so much; the answer has all of it.
+    private string Shortened(string assumed)
+    {
+        const int Around = 24;
+        const string More = ", and more";
+        var room = Math.Min(CommentText.MostOfName, dialect.CommentLength - Around);
+        var end = assumed.Length <= room ? assumed.Length : assumed.LastIndexOf(", ", room - More.Length, StringComparison.Ordinal);
+        return end == assumed.Length ? assumed : assumed[..(end < 0 ? room - More.Length : end)] + More;
+    }
+
+    // Klartext shows the sign of each coordinate.
+    private string Coordinate(double value, bool up = false) =>
+        Mm(value, up) is var text && !dialect.HasCodes && !text.StartsWith('-') ? "+" + text : text;
 
     // In least increments, always with a decimal point: without one, some controls count increments.
     private string Mm(double value, bool up = false)

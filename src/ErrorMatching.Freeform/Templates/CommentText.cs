@@ -10,7 +10,8 @@ internal sealed class CommentText(NcDialect dialect)
 {
     private const char Unknown = '-';
 
-    private const int MostOfName = 80;
+    /// <summary>Characters that are taken of a name.</summary>
+    public const int MostOfName = 80;
 
     // The signs of ISO 840, the code of punched tape, without those that begin or end something.
     private const string CapitalSigns = " .,+-/=";

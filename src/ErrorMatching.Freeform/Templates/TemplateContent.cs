@@ -8,4 +8,10 @@ internal sealed record TemplateContent(string File, string About, IReadOnlyDicti
 {
     /// <summary>True if it is built in, and therefore tested.</summary>
     public bool IsBuiltIn { get; init; }
+
+    /// <summary>What it takes for granted of the control, in a few words each.</summary>
+    public IReadOnlyList<string> Assumes { get; init; } = [];
+
+    /// <summary>Name of the file beside the program; null if there is none.</summary>
+    public string? Beside { get; init; }
 }

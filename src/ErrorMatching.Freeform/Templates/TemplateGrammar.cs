@@ -41,6 +41,9 @@ internal sealed record TemplateGrammar
 
     public IReadOnlyList<string> PointConditions { get; init; } = [];
 
+    /// <summary>The section of a file beside the program; null if there is none.</summary>
+    public string? Beside { get; init; }
+
     /// <summary>True if there is a loop over points.</summary>
     public bool HasPoints => PointPlaces.Count > 0;
 }

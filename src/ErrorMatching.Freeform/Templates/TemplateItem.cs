@@ -24,4 +24,7 @@ internal enum TemplateItemKind
 
     /// <summary>Lines for a true condition and for a false one.</summary>
     If,
+
+    /// <summary>Why the template cannot touch a point.</summary>
+    Refuse,
 }

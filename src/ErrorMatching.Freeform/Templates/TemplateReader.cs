@@ -9,7 +9,9 @@ internal sealed class TemplateReader(string file, TemplateGrammar grammar)
     private readonly Dictionary<string, IReadOnlyList<TemplateItem>> _sections = new(StringComparer.Ordinal);
     private readonly Stack<(TemplateItem Item, bool InElse)> _open = new();
     private List<TemplateItem>? _section;
+    private readonly List<string> _assumes = [];
     private string _about = "";
+    private string? _beside;
     private int _line;
 
     private bool IsInEach => _open.Any(o => o.Item.Kind == TemplateItemKind.Each);
@@ -48,7 +50,7 @@ internal sealed class TemplateReader(string file, TemplateGrammar grammar)
         }
 
         return _sections.ContainsKey(grammar.Needed)
-            ? new(file, _about, _sections)
+            ? new(file, _about, _sections) { Assumes = _assumes, Beside = _beside }
             : throw Fail($"there is no section @{grammar.Needed}", $"@{grammar.Needed}, and in it {grammar.NeededHint}");
     }
 
@@ -60,6 +62,16 @@ internal sealed class TemplateReader(string file, TemplateGrammar grammar)
         {
             case "@about":
                 _about = argument;
+                break;
+            case "@assumes" when grammar.HasPoints:
+                _assumes.Add(argument.Length > 0 ? argument : throw Fail(word, "what the program takes for granted behind it"));
+                break;
+            case "@refuse" when grammar.HasPoints:
+                Lines().Add(
+                    new(
+                        _line,
+                        IsInEach && argument.Length > 0 ? argument : throw Fail(line, "a reason behind @refuse, within @each point"),
+                        TemplateItemKind.Refuse));
                 break;
             case "@each" when grammar.HasPoints:
                 Open(
@@ -83,7 +95,7 @@ internal sealed class TemplateReader(string file, TemplateGrammar grammar)
                 _open.Pop();
                 break;
             default:
-                Begin(word);
+                Begin(word, argument);
                 break;
         }
     }
@@ -100,14 +112,19 @@ internal sealed class TemplateReader(string file, TemplateGrammar grammar)
             : throw Fail(line, $"@if with one of {string.Join(", ", grammar.PointConditions.Concat(grammar.Conditions))}");
     }
 
-    private void Begin(string word)
+    private void Begin(string word, string argument)
     {
         var name = word[1..];
         if (!grammar.Sections.Contains(name, StringComparer.Ordinal))
         {
             var (sections, loop) = (
-                string.Join(", ", grammar.Sections.Select(s => "@" + s)), grammar.HasPoints ? "@each point, @next, " : "");
+                string.Join(", ", grammar.Sections.Select(s => "@" + s)), grammar.HasPoints ? "@assumes, @each point, @next, @refuse, " : "");
             throw Fail(word, $"@about, {sections}, {loop}@if, @else or @endif");
+        }
+
+        if (name == grammar.Beside)
+        {
+            _beside = IsFileName(argument) ? argument : throw Fail($"{word} {argument}".Trim(), "the name of a file, such as MASK.A, behind it");
         }
 
         if (_open.TryPeek(out var open))
@@ -121,6 +138,10 @@ internal sealed class TemplateReader(string file, TemplateGrammar grammar)
             throw Fail($"a second section {word}", "each section once");
         }
     }
+
+    // It is written beside the program, in no other folder, and controls know few letters.
+    private static bool IsFileName(string name) =>
+        name.Length is > 0 and <= 32 && name[0] != '.' && name.All(c => char.IsAsciiLetterOrDigit(c) || c is '.' or '_' or '-');
 
     private void Open(TemplateItemKind kind, string argument)
     {

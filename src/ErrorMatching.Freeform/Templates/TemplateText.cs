@@ -20,13 +20,15 @@ internal static class TemplateText
     /// <param name="valueOf">Returns the value of a placeholder.</param>
     /// <param name="finish">Makes a filled line one of the program.</param>
     /// <param name="each">Writes the lines of a loop.</param>
+    /// <param name="refuse">Makes an error of a reason not to touch a point.</param>
     public static void Write(
         StringBuilder text,
         IReadOnlyList<TemplateItem> items,
         Func<string, bool> holds,
         Func<string, string> valueOf,
         Func<string, string> finish,
-        Action<IReadOnlyList<TemplateItem>> each)
+        Action<IReadOnlyList<TemplateItem>> each,
+        Func<TemplateItem, Exception>? refuse = null)
     {
         foreach (var item in items)
         {
@@ -36,8 +38,10 @@ internal static class TemplateText
                     each(item.Body);
                     break;
                 case TemplateItemKind.If:
-                    Write(text, holds(item.Text) ? item.Body : item.Else, holds, valueOf, finish, each);
+                    Write(text, holds(item.Text) ? item.Body : item.Else, holds, valueOf, finish, each, refuse);
                     break;
+                case TemplateItemKind.Refuse when refuse is not null:
+                    throw refuse(item);
                 default:
                     text.Append(finish(Fill(item.Text, valueOf))).Append('\n');
                     break;

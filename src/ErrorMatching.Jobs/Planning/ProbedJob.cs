@@ -214,7 +214,7 @@ public sealed record ProbedJob
         }
     }
 
-    // The job's own control, or the one that is named. Many understand what Fanuc does, which is then assumed.
+    // The job's own control, or the one that is named. Those that print by DPRNT may do what Fanuc does, which is assumed.
     private static (NcDialect Dialect, ProbingTemplate Template) Template(
         ProbeWish wish, MatingJob job, NcDialect? own, JobFiles files, List<string> assumed)
     {
@@ -235,13 +235,18 @@ public sealed record ProbedJob
             return (dialect, found);
         }
 
-        if (!dialect.HasCodes || dialect.Files.Count > 0)
+        if (dialect.MeaningOf("DPRNT"u8) != NcMeaning.Harmless)
         {
-            return (dialect, ProbingTemplate.For(dialect));
+            throw InputException.At(
+                "unknown-template",
+                dialect.Name,
+                $"no probing program is built in for this control. Give --template with one that it runs "
+                    + $"({string.Join(", ", ProbingTemplate.Names)}) or with a file of your own, or name another control that measures with "
+                    + "--dialect.");
         }
 
         assumed.Add("codes of Fanuc");
-        return (NcDialects.FanucMill, ProbingTemplate.Named("fanuc"));
+        return (dialect, ProbingTemplate.Named("fanuc"));
     }
 
     private static ProbingTouch TouchOf(int number, PlannedPoint point, double z, double radius, double overtravel)

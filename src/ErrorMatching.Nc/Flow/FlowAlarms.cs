@@ -46,6 +46,32 @@ internal sealed class FlowAlarms(NcSyntax syntax, CallStack calls, FlowReport re
         return ends && reader.Error is null && value.IsUnknown && NoteStop(branch.Block);
     }
 
+    /// <summary>FN 9: IF .. GOTO LBL of a part that only stops up to its end.</summary>
+    /// <param name="label">The block of the label.</param>
+    /// <param name="branch">The block that goes there.</param>
+    public bool OnlyStopsFrom(int label, int branch)
+    {
+        for (var block = label + 1; block < calls.Program.BlockCount; block++)
+        {
+            var text = calls.Program.BytesOf(calls.Program[block]);
+            var head = BlockHead.Read(text, syntax);
+            var line = text[Math.Min(head.At, text.Length)..];
+            var comment = line.IndexOf((byte)';');
+            var words = (comment < 0 ? line : line[..comment]).Trim(" \t\r\n"u8);
+            if (!head.IsSkip && (IsWord(words, "M30"u8) || IsWord(words, "M2"u8) || IsWord(words, "M02"u8)))
+            {
+                return NoteStop(branch);
+            }
+
+            if (head.IsSkip || (words.Length > 0 && !IsWord(words, "STOP"u8)))
+            {
+                return false;
+            }
+        }
+
+        return false;
+    }
+
     private bool NoteStop(int block)
     {
         // Once per program: a probing program has one at every point.

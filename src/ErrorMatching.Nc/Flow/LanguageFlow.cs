@@ -5,9 +5,9 @@ internal abstract class LanguageFlow
 {
     /// <summary>The flow of a dialect's syntax; null if it has the common statements.</summary>
     public static LanguageFlow? Of(NcDialect dialect, CallStack calls, FlowReport report, FlowMemory memory, FlowCourse course,
-        FlowLibrary library, ModalCalls modal) => dialect.Syntax switch
+        FlowLibrary library, ModalCalls modal, FlowAlarms alarms) => dialect.Syntax switch
         {
-            NcSyntax.Klartext => new KlartextFlow(calls, report, memory, course, library),
+            NcSyntax.Klartext => new KlartextFlow(calls, report, memory, course, library, alarms),
             NcSyntax.Okuma => new OkumaFlow(dialect, calls, report, memory, course, library, modal),
             _ => null,
         };

@@ -49,7 +49,7 @@ internal sealed class NcFlow
         var macros = new MacroCalls(dialect, _calls, _report, _memory, _course, library, _words, _modal);
         _steering = new(dialect, _report, _memory, _course, macros, _words, _modal);
 
-        _language = LanguageFlow.Of(dialect, _calls, _report, _memory, _course, library, _modal);
+        _language = LanguageFlow.Of(dialect, _calls, _report, _memory, _course, library, _modal, alarms);
         var arrays = new SiemensArrays(_report, _memory, _course);
         var assignments = new SiemensAssignments(_memory, arrays);
         var named = new SiemensCalls(dialect, _calls, _report, _memory, _course, library, assignments);

@@ -8,7 +8,8 @@ namespace ErrorMatching.Freeform.Tests;
 
 public sealed class ProbingProgramTests
 {
-    public static TheoryData<string> Templates { get; } = [.. ProbingTemplate.Names];
+    // A surface faces up, and Klartext touches in the plane alone.
+    public static TheoryData<string> Templates { get; } = [.. ProbingTemplate.Names.Where(n => n != "heidenhain-klartext")];
 
     public static TheoryData<string> WithMotions { get; } = ["siemens-840d", "fanuc", "linuxcnc"];
 
@@ -99,8 +100,36 @@ public sealed class ProbingProgramTests
     public void On_a_slope_the_probe_maker_s_template_measures_by_three_axes_at_once()
     {
         var text = TextOf(Programs.Of("fanuc-p98xx", Programs.Plan(Surfaces.Quadratic((x, _) => x / 4))));
-        Assert.DoesNotContain("P9811", text, StringComparison.Ordinal);
+        Assert.DoesNotContain("G65 P9811", text, StringComparison.Ordinal);
+        Assert.DoesNotContain("G65 P9821", text, StringComparison.Ordinal);
         Assert.Equal(20, text.Split("G31 X").Length - 1);
+    }
+
+    [Theory]
+    [InlineData("siemens-cycle978", "CYCLE978(0,,,1,0.2,2.0,2.0,3,2,1,")]
+    [InlineData("haas-p98xx", "G65 P9811 Z0.2 Q2.0")]
+    public void A_cycle_touches_down_where_the_surface_is_level(string template, string call) =>
+        Assert.Equal(20, TextOf(Programs.Of(template, Programs.Plan(Surfaces.Flat))).Split(call).Length - 1);
+
+    [Fact]
+    public void A_point_that_a_template_cannot_touch_is_named()
+    {
+        var error = Assert.Throws<InputException>(() => Programs.Of("heidenhain-klartext", Programs.Plan(Surfaces.Flat)));
+        Assert.Equal(("untouchable-point", "heidenhain-klartext"), (error.Code, error.File));
+        Assert.Contains("point 1 faces (0, 0, 1): this template touches in the plane XY only", error.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_template_names_what_it_takes_for_granted_and_the_file_beside_its_program()
+    {
+        var template = ProbingTemplate.Parse(
+            "@assumes our probe\n@body\n@if assumed\n; {assumed}\n@endif\nM30\n@beside MASK.A\n; {plan}\n"u8, "own.txt");
+        var program = ProbingProgram.Of(Programs.Plan(), "", NcDialects.Siemens840D, template);
+        Assert.Equal("; our probe\nM30\n", TextOf(program));
+        Assert.Equal("MASK.A", program.Beside!.Value.Name);
+        Assert.Equal($"; {program.Moves.Plan}\n", Encoding.UTF8.GetString(program.Beside.Value.Bytes.Span));
+        Assert.Throws<InputException>(() => ProbingProgram.Of(
+            Programs.Plan(), "", NcDialects.Siemens840D, ProbingTemplate.Parse("@assumes our probe\n@body\nM30\n"u8, "own.txt")));
     }
 
     [Fact]

@@ -21,6 +21,11 @@ public sealed class ProbingTemplateTests
     [InlineData("@body\n@body\n", 2, "second section")]
     [InlineData("@body\n@each point\n@tail\n", 3, "closed before")]
     [InlineData("@head\nG0\n", 2, "no section @body")]
+    [InlineData("@body\n@refuse too steep\n", 2, "within @each point")]
+    [InlineData("@body\n@each point\n@refuse\n@next\n", 3, "a reason")]
+    [InlineData("@assumes\n@body\n", 1, "takes for granted")]
+    [InlineData("@body\n@beside\n", 2, "name of a file")]
+    [InlineData("@body\n@beside ../MASK.A\n", 2, "name of a file")]
     public void An_error_is_named_by_its_line(string text, int line, string reason)
     {
         var error = Assert.Throws<InputException>(() => ProbingTemplate.Parse(Encoding.UTF8.GetBytes(text), "own.txt"));
@@ -48,7 +53,7 @@ public sealed class ProbingTemplateTests
     [Fact]
     public void A_shop_s_own_dialect_has_the_template_of_its_family()
     {
-        foreach (var name in (string[])["siemens-840d", "fanuc", "linuxcnc"])
+        foreach (var name in (string[])["siemens-840d", "fanuc", "linuxcnc", "heidenhain-klartext"])
         {
             var own = NcDialects.Parse(
                 Encoding.UTF8.GetBytes($$"""{ "name": "ours", "description": "Ours.", "like": "{{name}}" }"""), "ours.json");

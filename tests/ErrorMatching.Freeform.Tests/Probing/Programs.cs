@@ -11,7 +11,8 @@ internal static class Programs
     public static ProbingProgram Of(string template, MeasuringPlan? plan = null) =>
         ProbingProgram.Of(plan ?? Plan(), "Surface one", Dialect(template), ProbingTemplate.Named(template));
 
-    public static NcDialect Dialect(string template) => NcDialects.Named(template == "fanuc-p98xx" ? "fanuc" : template);
+    public static NcDialect Dialect(string template) => NcDialects.Named(
+        template switch { "fanuc-p98xx" => "fanuc", "haas-p98xx" => "haas", "siemens-cycle978" => "siemens-840d", _ => template });
 
     public static NcPath Path(ReadOnlyMemory<byte> program, NcDialect dialect) =>
         NcInterpreter.Run(NcProgram.Read(program, dialect.Syntax), dialect);

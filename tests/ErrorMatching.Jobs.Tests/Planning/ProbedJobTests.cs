@@ -20,6 +20,22 @@ public sealed partial class ProbedJobTests
 
     private static readonly ProbeWish Stated = new() { StylusDiameterMm = Ball, TouchZ = -5, ClearanceZ = 25, ToolNumber = 9 };
 
+    public static TheoryData<string, string, bool> Cycles { get; } = new()
+    {
+        { "heidenhain-klartext", "heidenhain-klartext", false },
+        { "heidenhain-klartext", "heidenhain-klartext", true },
+        { "siemens-840d", "siemens-cycle978", false },
+        { "siemens-840d", "siemens-cycle978", true },
+        { "fanuc", "fanuc-p98xx", false },
+        { "fanuc", "fanuc-p98xx", true },
+        { "haas", "haas-p98xx", false },
+    };
+
+    public static TheoryData<string, string, double> WrongAnswers { get; } = new(
+        from cycle in new[] { ("heidenhain-klartext", "heidenhain-klartext"), ("siemens-840d", "siemens-cycle978"), ("fanuc", "fanuc-p98xx") }
+        from radii in new[] { -2.0, -1.0, 1.0 }
+        select (cycle.Item1, cycle.Item2, radii));
+
     [Theory]
     [InlineData("fanuc", false)]
     [InlineData("siemens-840d", false)]
@@ -47,6 +63,57 @@ public sealed partial class ProbedJobTests
         File.WriteAllText(folder["probe.log"], part.Log(probed.Program.Moves.Plan));
         var report = Matched(folder, "job.json", "probe.log").Report;
         Assert.All(report.KeyPoints, p => Assert.Equal(DovetailGroove.DisplacedMm[p.Feature], DovetailGroove.OffMm(p), RoundedMm));
+    }
+
+    // The control executes the text of the program. Its answers have the digits of the log.
+    [Theory]
+    [MemberData(nameof(Cycles))]
+    public void A_cycle_of_the_control_finds_the_part_and_nothing_else_touches_it(string dialect, string template, bool isMirrored)
+    {
+        using var folder = Copied();
+        if (isMirrored)
+        {
+            Mirror(folder);
+        }
+
+        var probed = Probed(folder, Stated with { Dialect = dialect, Template = template });
+        var (control, part, log) = Executed(probed, isMirrored, 0);
+        Assert.Empty(part.Collisions);
+        Assert.Equal(28, control.Touches.ByCycle + control.Touches.BySkip);
+        Assert.Equal(template == "siemens-cycle978" ? 10 : 28, control.Touches.ByCycle);
+        WithBall(folder);
+        File.WriteAllText(folder["probe.log"], log);
+        var report = Matched(folder, "job.json", "probe.log").Report;
+        Assert.All(report.KeyPoints, p => Assert.Equal(DovetailGroove.DisplacedMm[p.Feature], DovetailGroove.OffMm(p), 0.001));
+    }
+
+    // What breaks pieces: a cycle that answers with the center where the contact is expected, the other way round, or on the other side.
+    [Theory]
+    [MemberData(nameof(WrongAnswers))]
+    public void A_cycle_that_answers_something_else_than_the_template_assumes_is_refused(string dialect, string template, double radii)
+    {
+        using var folder = Copied();
+        var probed = Probed(folder, Stated with { Dialect = dialect, Template = template });
+        WithBall(folder);
+        File.WriteAllText(folder["probe.log"], Executed(probed, isMirrored: false, radii).Log);
+        var run = MatingRun.Run(
+            new JobFiles(folder["job.json"]), new() { Part = new(folder["probe.log"]) }, TestContext.Current.CancellationToken);
+        Assert.False(run.IsUsable);
+    }
+
+    [Theory]
+    [MemberData(nameof(Cycles))]
+    public void What_a_template_takes_for_granted_stops_its_program_before_it_moves(string dialect, string template, bool isMirrored)
+    {
+        _ = isMirrored;
+        using var folder = Copied();
+        var probed = Probed(folder, Stated with { Dialect = dialect, Template = template });
+        Assert.Equal(probed.Program.Template.Assumes, probed.Program.Moves.Assumed);
+        var lines = Encoding.ASCII.GetString(probed.Program.Bytes.Span).Split('\n').ToList();
+        Assert.InRange(
+            lines.FindIndex(l => l is "M0" or "STOP"),
+            1,
+            lines.FindIndex(l => FirstMove().IsMatch(l)) - 1);
     }
 
     [Fact]
@@ -303,6 +370,38 @@ public sealed partial class ProbedJobTests
         Assert.Equal("fanuc", probed.Program.Template.File);
         Assert.Equal(["codes of Fanuc"], probed.Program.Moves.Assumed);
         Assert.Equal("probe.nc", probed.FileName);
+        Assert.Equal("delta-nc300", probed.Program.Dialect.Name);
+    }
+
+    // A control that does not print by DPRNT cannot run what Fanuc does.
+    [Theory]
+    [InlineData("okuma-osp")]
+    [InlineData("generic")]
+    public void A_control_that_runs_no_template_is_refused_with_the_option_that_names_one(string dialect)
+    {
+        using var folder = Copied();
+        var error = Assert.Throws<InputException>(() => Probed(folder, Stated with { Dialect = dialect }));
+        Assert.Equal(("unknown-template", dialect), (error.Code, error.File));
+        Assert.Contains("--template", error.Message, StringComparison.Ordinal);
+        Assert.Throws<InputException>(() => Probed(folder, Stated with { Dialect = "heidenhain-klartext", Template = "fanuc" }));
+    }
+
+    [Fact]
+    public void A_Klartext_job_gets_Klartext_and_the_mask_of_its_log()
+    {
+        using var folder = new TemporaryFolder();
+        foreach (var file in Directory.GetFiles(Repository.PathTo("samples", "klartext-mating")))
+        {
+            File.Copy(file, folder[System.IO.Path.GetFileName(file)]);
+        }
+
+        var wish = Stated with { ClearanceZ = 60 };
+        var probed = Probed(folder, wish);
+        Assert.Equal(("heidenhain-klartext", "probe.h"), (probed.Program.Template.File, probed.FileName));
+        Assert.Equal("EMPROBE.A", probed.Program.Beside!.Value.Name);
+        Assert.Equal(8, Path(probed).Motions.Count(m => m.Kind == MotionKind.Probe));
+        Assert.Equal(8, Probed(folder, wish with { OfCounterpart = true, TouchZ = -3 }).Points.Count);
+        Assert.Null(Probed(folder, wish with { Dialect = "fanuc" }).Program.Beside);
     }
 
     [Fact]
@@ -362,6 +461,19 @@ public sealed partial class ProbedJobTests
         folder["counterpart.nc"],
         File.ReadAllText(folder["counterpart.nc"]).Replace("N50 G0 X-92. Y-10.", blocks + "N50 G0 X-92. Y-10.", StringComparison.Ordinal));
 
+    private static (VirtualControl Control, VirtualPart Part, string Log) Executed(ProbedJob probed, bool isMirrored, double offByRadii)
+    {
+        var material = DovetailGroove.Polygon();
+        var part = new VirtualPart(isMirrored ? [.. material.Select(p => new Point2(-p.X, p.Y))] : material, Ball);
+        var control = new VirtualControl(part, Ball, TopZ)
+        {
+            OffByRadii = offByRadii,
+            FirstAnswer = probed.Program.Dialect.Name == "haas" ? 185 : 135,
+        };
+        var mask = probed.Program.Beside is { } beside ? Encoding.ASCII.GetString(beside.Bytes.Span) : null;
+        return (control, part, control.Run(Encoding.ASCII.GetString(probed.Program.Bytes.Span), mask));
+    }
+
     private static string OwnTemplate(TemporaryFolder folder, string offset = "G54")
     {
         File.WriteAllText(
@@ -420,6 +532,6 @@ public sealed partial class ProbedJobTests
     [GeneratedRegex("Z(?<z>-?[0-9.]+)", RegexOptions.CultureInvariant | RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex ZWord();
 
-    [GeneratedRegex("^G[0-9]+ [XYZ]", RegexOptions.CultureInvariant, 1000)]
+    [GeneratedRegex("^(G[0-9]+ [XYZ]|G65|G0 G43|L )", RegexOptions.CultureInvariant | RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex FirstMove();
 }

@@ -30,11 +30,20 @@ internal sealed class VirtualPart(IReadOnlyList<Point2> material, double stylusD
             {
                 Touches.Add(Touch(motion.Start, motion.End));
             }
-            else if (Enumerable.Range(0, 201).Select(k => motion.Start + ((motion.End - motion.Start) * (k / 200.0)))
-                .Any(p => p.Z < topZ && Room(new(p.X, p.Y)) < -1e-6))
+            else
             {
-                Collisions.Add(path.Program.NameOf(path.Program[motion.Block]));
+                Move(motion.Start, motion.End, topZ, path.Program.NameOf(path.Program[motion.Block]));
             }
+        }
+    }
+
+    /// <summary>Moves the ball, and notes where it meets the part.</summary>
+    public void Move(Point3 from, Point3 to, double topZ, string block)
+    {
+        if (Enumerable.Range(0, 201).Select(k => from + ((to - from) * (k / 200.0)))
+            .Any(p => p.Z < topZ && Room(new(p.X, p.Y)) < -1e-6))
+        {
+            Collisions.Add(block);
         }
     }
 
@@ -73,7 +82,8 @@ internal sealed class VirtualPart(IReadOnlyList<Point2> material, double stylusD
         return (isInside ? -distance : distance) - (stylusDiameterMm / 2);
     }
 
-    private Point3 Touch(Point3 from, Point3 to)
+    /// <summary>The center of the ball where a measuring move touches.</summary>
+    public Point3 Touch(Point3 from, Point3 to)
     {
         Assert.True(Room(new(from.X, from.Y)) > 0, "The measuring move starts in the part.");
         Assert.True(Room(new(to.X, to.Y)) < 0, "The measuring move misses the part.");

@@ -1,4 +1,5 @@
 using System.CommandLine;
+using ErrorMatching.Freeform;
 using ErrorMatching.Jobs;
 using ErrorMatching.Json;
 
@@ -9,7 +10,8 @@ internal sealed class JobProbe : Verb
 {
     private readonly Argument<string> _job = new("JOB") { Description = "A mating job, such as one of errormatch job plan." };
     private readonly Option<string> _out = FileOption(
-        "--out", "The folder to write probe.nc to (or with the ending of the job's program). Without it nothing is written.");
+        "--out", "The folder to write probe.nc to (or with the ending of the job's program), and what the control needs beside it. Without it nothing "
+            + "is written.");
 
     private readonly Option<string> _piece = new("--piece")
     {
@@ -47,7 +49,7 @@ internal sealed class JobProbe : Verb
     };
 
     private readonly Option<string> _template = FileOption(
-        "--template", "A built-in template (such as fanuc-p98xx), or a file of your own. Without it: that of the dialect.");
+        "--template", $"A built-in template ({string.Join(", ", ProbingTemplate.Names)}), or a file of your own. Without it: that of the dialect.");
 
     public JobProbe()
         : base(
@@ -95,12 +97,18 @@ internal sealed class JobProbe : Verb
             return new Failure(ExitCode.Refused, outcome.Refusals);
         }
 
-        var written = arguments.GetValue(_out) is { } folder ? PathText.In(folder, probed.FileName) : null;
-        if (written is not null)
+        var files = new List<(string Path, ReadOnlyMemory<byte> Bytes)>();
+        if (arguments.GetValue(_out) is { } folder)
         {
-            OutputFile.Write(written, probed.Program.Bytes, probed.Read, cancellation);
+            files.Add((PathText.In(folder, probed.FileName), probed.Program.Bytes));
+            if (probed.Program.Beside is { } beside)
+            {
+                files.Add((PathText.In(folder, beside.Name), beside.Bytes));
+            }
+
+            OutputFile.WriteAll(files, probed.Read, cancellation);
         }
 
-        return new JobProbeAnswer(probed, written);
+        return new JobProbeAnswer(probed, [.. files.Select(f => f.Path)]);
     }
 }

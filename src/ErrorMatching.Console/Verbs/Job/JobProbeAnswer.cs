@@ -7,8 +7,8 @@ namespace ErrorMatching.Console;
 
 /// <summary>The program that touches the key points of a part.</summary>
 /// <param name="probed">The program.</param>
-/// <param name="written">The file that was written; null if none was.</param>
-internal sealed class JobProbeAnswer(ProbedJob probed, string? written) : DocumentAnswer
+/// <param name="written">The files that were written, the program first.</param>
+internal sealed class JobProbeAnswer(ProbedJob probed, IReadOnlyList<string> written) : DocumentAnswer
 {
     public override string Schema => "errormatch/job-probe/1";
 
@@ -41,7 +41,7 @@ internal sealed class JobProbeAnswer(ProbedJob probed, string? written) : Docume
         }
 
         json.WriteEndArray();
-        Texts("files", written is null ? [] : [written]);
+        Texts("files", written);
 
         void Texts(string name, IReadOnlyList<string> texts)
         {
@@ -65,15 +65,16 @@ internal sealed class JobProbeAnswer(ProbedJob probed, string? written) : Docume
             CultureInfo.InvariantCulture,
             $"The center of a ball of {moves.StylusDiameterMm:0.###} mm moves at Z{probed.TouchZ:0.###}, from outside of the {Piece} along "
                 + $"its normal, and travels at Z{moves.ClearanceZ:0.###}. A miss of {moves.OvertravelMm:0.###} mm stops the control."));
+        var offset = probed.Program.Dialect.HasCodes ? "work offset (G54)" : "preset";
         page.Line((probed.OfCounterpart
-            ? "X and Y are those of the counterpart's program: touch it in the work offset (G54) in which it was cut. "
-            : "X and Y are those of the part as designed: set its work offset (G54) there. ")
+            ? $"X and Y are those of the counterpart's program: touch it in the {offset} in which it was cut. "
+            : $"X and Y are those of the part as designed: set its {offset} there. ")
             + "The length of the probe is to the center of its ball; the shank must not be thicker than the ball.");
         page.Line($"Template {probed.Program.Template.File}: {probed.Program.Template.About}");
         if (moves.Assumed.Count > 0)
         {
             page.Line($"Nobody stated {string.Join(", ", moves.Assumed)}: the program stops before its first move for somebody to check. "
-                + "Options state it, see --help.");
+                + "Options state it, see --help, but for what a template takes for granted of its control.");
         }
 
         foreach (var note in probed.Notes)
@@ -82,9 +83,9 @@ internal sealed class JobProbeAnswer(ProbedJob probed, string? written) : Docume
         }
 
         page.Line("No machine of ours has run it: make the first run with reduced feed, a hand on the stop.");
-        page.Line(written is null
+        page.Line(written.Count == 0
             ? $"Nothing was written. Add --out DIR to write {probed.FileName}."
-            : $"Wrote {written}. Next: run it, fetch its log, then: "
+            : $"Wrote {string.Join(" and ", written)}. Next: run it, fetch its log, then: "
                 + (probed.OfCounterpart
                     ? $"errormatch verify {probed.Job.File} --before BEFORE --after LOG"
                     : $"errormatch match {probed.Job.File} --part LOG --out DIR"));

@@ -24,7 +24,12 @@ internal sealed class SurfaceProbeAnswer(
     public IReadOnlyList<(string Path, ReadOnlyMemory<byte> Bytes)> Files(ReadOnlyMemory<byte> program) =>
         folder is null
             ? []
-            : [(PathText.In(folder, SurfacePlanAnswer.FileName), PlanCsv.Write(plan)), (PathText.In(folder, FileName), program)];
+            : [
+                (PathText.In(folder, SurfacePlanAnswer.FileName), PlanCsv.Write(plan)),
+                (PathText.In(folder, FileName), program),
+                .. probing.Beside is { } beside ? [(PathText.In(folder, beside.Name), beside.Bytes)]
+                    : Array.Empty<(string, ReadOnlyMemory<byte>)>(),
+            ];
 
     public override void WriteJson(Utf8JsonWriter json)
     {
@@ -33,6 +38,13 @@ internal sealed class SurfaceProbeAnswer(
         json.WriteString("template", probing.Template.File);
         json.WriteString("plan", probing.Moves.Plan);
         json.WriteString("after", after);
+        json.WriteStartArray("assumed");
+        foreach (var assumed in probing.Moves.Assumed)
+        {
+            json.WriteStringValue(assumed);
+        }
+
+        json.WriteEndArray();
         json.WriteStartArray("files");
         foreach (var (path, _) in Files(default))
         {
@@ -57,6 +69,12 @@ internal sealed class SurfaceProbeAnswer(
             $"All coordinates are those of the ball's center; the measuring move goes along the normal from "
                 + $"{job.Measuring.ApproachMm:0.###} mm before the surface to {job.Measuring.OvertravelMm:0.###} mm behind it and stops "
                 + $"with an alarm if it finds nothing."));
+        if (probing.Moves.Assumed.Count > 0)
+        {
+            page.Line($"Nobody stated {string.Join(", ", probing.Moves.Assumed)}: the program stops before its first move for somebody to "
+                + "check.");
+        }
+
         page.Line(
             after is null
                 ? "The work offset is G54: a template of your own names another."
@@ -65,7 +83,7 @@ internal sealed class SurfaceProbeAnswer(
         page.Line();
         page.Line(folder is null
             ? $"Nothing was written. Add --out DIR to write {FileName} and {SurfacePlanAnswer.FileName}."
-            : $"Wrote {PathText.In(folder, FileName)} and {PathText.In(folder, SurfacePlanAnswer.FileName)}. Next: run it, fetch its "
+            : $"Wrote {string.Join(", ", Files(default).Select(f => f.Path))}. Next: run probe.nc, fetch its "
                 + $"log, then: errormatch surface compensate {job.File} --measured LOG --out {folder}");
     }
 }

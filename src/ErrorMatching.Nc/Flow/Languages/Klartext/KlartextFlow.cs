@@ -1,10 +1,11 @@
 namespace ErrorMatching.Nc;
 
 /// <summary>Labels, repeats, calls and Q parameters of Heidenhain Klartext.</summary>
-internal sealed class KlartextFlow(CallStack calls, FlowReport report, FlowMemory memory, FlowCourse course, FlowLibrary library)
+internal sealed class KlartextFlow(
+    CallStack calls, FlowReport report, FlowMemory memory, FlowCourse course, FlowLibrary library, FlowAlarms alarms)
     : LanguageFlow
 {
-    private readonly KlartextFunctions _functions = new(calls, report, memory, course);
+    private readonly KlartextFunctions _functions = new(calls, report, memory, course, alarms);
 
     public override FlowAction Execute(int block, ReadOnlySpan<byte> text, BlockHead head)
     {

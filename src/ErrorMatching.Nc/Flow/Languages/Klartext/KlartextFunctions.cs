@@ -1,7 +1,8 @@
 namespace ErrorMatching.Nc;
 
 /// <summary>Assignments to Q parameters and the functions FN 0 to FN 38 of Klartext.</summary>
-internal sealed class KlartextFunctions(CallStack calls, FlowReport report, FlowMemory memory, FlowCourse course)
+internal sealed class KlartextFunctions(
+    CallStack calls, FlowReport report, FlowMemory memory, FlowCourse course, FlowAlarms alarms)
 {
     /// <summary>Difference up to which two unequal values could be equal on the control, whose numbers have fewer digits.</summary>
     private const double Close = 1e-6;
@@ -122,6 +123,11 @@ internal sealed class KlartextFunctions(CallStack calls, FlowReport report, Flow
         {
             return report.Refuse(NcRefusalCodes.UnknownCondition, block,
                 "which way the program goes hangs on the last digits of a computed value.");
+        }
+
+        if ((!a.IsNumber || !b.IsNumber) && TargetOf(label) is >= 0 and var end && alarms.OnlyStopsFrom(end, block))
+        {
+            return FlowAction.Continue;
         }
 
         var either = false;
