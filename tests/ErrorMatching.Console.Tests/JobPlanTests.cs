@@ -68,6 +68,6 @@ public sealed class JobPlanTests
         Assert.False(Directory.Exists(folder["probe"]) || Directory.Exists(folder["plan"]));
         Assert.Equal(1, Shell.Run("job", "plan", Dovetail, "--within", "0").Exit);
         Assert.Equal(1, Shell.Run("job", "probe", Dovetail, "--tool", "0").Exit);
-        Assert.Equal(1, Shell.Run("job", "probe", Dovetail, "--dialect", "heidenhain-klartext", "--z", "-5").Exit);
+        Assert.Equal(1, Shell.Run("job", "probe", Dovetail, "--dialect", "okuma-osp", "--z", "-5").Exit);
     }
 }

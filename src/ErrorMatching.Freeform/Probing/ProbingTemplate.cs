@@ -6,8 +6,8 @@ namespace ErrorMatching.Freeform;
 /// <summary>The text of a probing program with placeholders and a loop over points, for a control, a probe or a shop.</summary>
 /// <remarks>The sections are <c>@head</c>, <c>@definitions</c>, <c>@body</c> and <c>@tail</c>. The lines from <c>@each point</c> to
 /// <c>@next</c> are repeated for each point; <c>@refuse</c> among them says why a point cannot be touched. <c>@assumes</c> states what is
-/// taken for granted of the control, and <c>@beside NAME</c> starts a file that the control needs beside the program. If the program follows another one, head and tail are omitted; definitions go to its start,
-/// the body to its end.</remarks>
+/// taken for granted of the control, and <c>@beside NAME</c> starts a file that the control needs beside the program. If
+/// the program follows another one, head and tail are omitted; definitions go to its start, the body to its end.</remarks>
 public sealed class ProbingTemplate : ProgramTemplate
 {
     internal const string Head = "head", Definitions = "definitions", Body = "body", Tail = "tail", Beside = "beside";
@@ -42,8 +42,9 @@ public sealed class ProbingTemplate : ProgramTemplate
     public static IReadOnlyList<string> Places { get; } = [.. Grammar.Places, .. Grammar.PointPlaces];
 
     /// <summary>The conditions after <c>@if</c>: whether a point has a place in a grid; whether the measuring move is along an axis, and
-    /// which one; whether it lies in the plane XY, and whether it goes along its axis in the positive direction; whether the program follows another one, and whether that one is compensated; whether values were assumed; whether the
-    /// job names the probe as a tool, and whether by name; whether it has the number of an order.</summary>
+    /// which one; whether it lies in the plane XY, and whether it goes along its axis in the positive direction; whether the program
+    /// follows another one, and whether that one is compensated; whether values were assumed; whether the job names the probe as a tool,
+    /// and whether by name; whether it has the number of an order.</summary>
     public static IReadOnlyList<string> Conditions { get; } = [.. Grammar.PointConditions, .. Grammar.Conditions];
 
     /// <summary>What it takes for granted of the control, in a few words each: the program stops for somebody to check it.</summary>

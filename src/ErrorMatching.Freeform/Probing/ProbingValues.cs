@@ -20,7 +20,8 @@ internal sealed class ProbingValues(ProbingMoves moves, string job, string? orde
     public static readonly string[] OfPoint =
         [
             "point", "i", "j", "name", "approach.x", "approach.y", "approach.z", "contact.x", "contact.y", "contact.z", "center.x",
-            "center.y", "center.z", "overtravel.x", "overtravel.y", "overtravel.z", "angle", "start.mm", "surface.mm", "search.mm", "reach.mm"];
+            "center.y", "center.z", "overtravel.x", "overtravel.y", "overtravel.z", "angle", "start.mm", "surface.mm", "search.mm",
+            "reach.mm"];
 
     public string this[string place, ProbingTouch? point, ProbedBehind? behind] => place switch
     {

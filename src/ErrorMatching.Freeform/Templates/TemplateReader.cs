@@ -118,13 +118,16 @@ internal sealed class TemplateReader(string file, TemplateGrammar grammar)
         if (!grammar.Sections.Contains(name, StringComparer.Ordinal))
         {
             var (sections, loop) = (
-                string.Join(", ", grammar.Sections.Select(s => "@" + s)), grammar.HasPoints ? "@assumes, @each point, @next, @refuse, " : "");
+                string.Join(", ", grammar.Sections.Select(s => "@" + s)),
+                grammar.HasPoints ? "@assumes, @each point, @next, @refuse, " : "");
             throw Fail(word, $"@about, {sections}, {loop}@if, @else or @endif");
         }
 
         if (name == grammar.Beside)
         {
-            _beside = IsFileName(argument) ? argument : throw Fail($"{word} {argument}".Trim(), "the name of a file, such as MASK.A, behind it");
+            _beside = IsFileName(argument)
+                ? argument
+                : throw Fail($"{word} {argument}".Trim(), "the name of a file, such as MASK.A, behind it");
         }
 
         if (_open.TryPeek(out var open))

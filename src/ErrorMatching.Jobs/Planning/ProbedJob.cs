@@ -241,8 +241,8 @@ public sealed record ProbedJob
                 "unknown-template",
                 dialect.Name,
                 $"no probing program is built in for this control. Give --template with one that it runs "
-                    + $"({string.Join(", ", ProbingTemplate.Names)}) or with a file of your own, or name another control that measures with "
-                    + "--dialect.");
+                    + $"({string.Join(", ", ProbingTemplate.Names)}) or with a file of your own, or name another control that "
+                    + "measures with --dialect.");
         }
 
         assumed.Add("codes of Fanuc");

@@ -32,7 +32,10 @@ public sealed partial class ProbedJobTests
     };
 
     public static TheoryData<string, string, double> WrongAnswers { get; } = new(
-        from cycle in new[] { ("heidenhain-klartext", "heidenhain-klartext"), ("siemens-840d", "siemens-cycle978"), ("fanuc", "fanuc-p98xx") }
+        from cycle in new[]
+        {
+            ("heidenhain-klartext", "heidenhain-klartext"), ("siemens-840d", "siemens-cycle978"), ("fanuc", "fanuc-p98xx"),
+        }
         from radii in new[] { -2.0, -1.0, 1.0 }
         select (cycle.Item1, cycle.Item2, radii));
 

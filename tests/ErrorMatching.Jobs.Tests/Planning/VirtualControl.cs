@@ -181,7 +181,8 @@ internal sealed partial class VirtualControl(VirtualPart part, double ball, doub
         else if (_line.StartsWith("DPRNT[", StringComparison.Ordinal))
         {
             _log.Append(Printed().Replace(
-                _line[6..^1].Replace('*', ' '), m => _values[m.Groups["name"].Value].ToString("F4", CultureInfo.InvariantCulture).PadLeft(9)));
+                _line[6..^1].Replace('*', ' '),
+                m => _values[m.Groups["name"].Value].ToString("F4", CultureInfo.InvariantCulture).PadLeft(9)));
             _log.Append("\r\n");
         }
         else if (_line is "POPEN" or "PCLOS")
@@ -231,7 +232,7 @@ internal sealed partial class VirtualControl(VirtualPart part, double ball, doub
 
     private static double? Word(string words, string letter) =>
         Regex.Match(words, $@"(?:^|\s){letter}(?<value>[+-]?[0-9.]+)", RegexOptions.ExplicitCapture, TimeSpan.FromSeconds(1)) is
-            { Success: true } word
+        { Success: true } word
             ? Number(word.Groups["value"].Value)
             : null;
 

@@ -10,8 +10,9 @@ internal sealed class JobProbe : Verb
 {
     private readonly Argument<string> _job = new("JOB") { Description = "A mating job, such as one of errormatch job plan." };
     private readonly Option<string> _out = FileOption(
-        "--out", "The folder to write probe.nc to (or with the ending of the job's program), and what the control needs beside it. Without it nothing "
-            + "is written.");
+        "--out",
+        "The folder to write probe.nc to (or with the ending of the job's program), and what the control needs beside it. Without it "
+            + "nothing is written.");
 
     private readonly Option<string> _piece = new("--piece")
     {
@@ -49,7 +50,8 @@ internal sealed class JobProbe : Verb
     };
 
     private readonly Option<string> _template = FileOption(
-        "--template", $"A built-in template ({string.Join(", ", ProbingTemplate.Names)}), or a file of your own. Without it: that of the dialect.");
+        "--template",
+        $"A built-in template ({string.Join(", ", ProbingTemplate.Names)}), or a file of your own. Without it: that of the dialect.");
 
     public JobProbe()
         : base(
