@@ -10,8 +10,10 @@ public sealed class FlatFaces
     /// <summary>Maximum file size in bytes.</summary>
     public const int MaxBytes = ExchangeLimits.MaxBytes;
 
-    private FlatFaces(IReadOnlyList<FlatFace> faces, IReadOnlyDictionary<string, int> others, double unitMm) =>
-        (Faces, Others, UnitMm) = (faces, others, unitMm);
+    private readonly Lazy<StepWalls> _walls;
+
+    private FlatFaces(IReadOnlyList<FlatFace> faces, IReadOnlyDictionary<string, int> others, double unitMm, Lazy<StepWalls> walls) =>
+        (Faces, Others, UnitMm, _walls) = (faces, others, unitMm, walls);
 
     /// <summary>The faces on planes (PLANE), in file order.</summary>
     public IReadOnlyList<FlatFace> Faces { get; }
@@ -21,6 +23,17 @@ public sealed class FlatFaces
 
     /// <summary>Millimeters in the unit of the file's lengths; 1 if it has no flat face.</summary>
     public double UnitMm { get; }
+
+    /// <summary>The dimensions and tolerances of the file, as they are meant (semantic PMI), in file order. What is wrong in one, it says
+    /// itself.</summary>
+    public IReadOnlyList<ModelAnnotation> Annotations { get; private init; } = [];
+
+    /// <summary>The standard of the tolerances.</summary>
+    public ToleranceStandard Standard { get; private init; }
+
+    /// <summary>The faces that meet at an edge of a face, flat or not.</summary>
+    /// <param name="edge"><see cref="FaceEdge.Number"/>.</param>
+    public IReadOnlyList<WallFace> FacesAt(long edge) => _walls.Value.At(edge);
 
     /// <summary>True if a file begins as STEP files do.</summary>
     /// <param name="bytes">Its content.</param>
@@ -47,7 +60,8 @@ public sealed class FlatFaces
         var step = new StepFile(bytes, file);
         StepAssembly.ThrowIfMoved(step);
         var (faces, others, unit) = (new List<FlatFace>(), new SortedDictionary<string, int>(StringComparer.Ordinal), 1.0);
-        foreach (var item in StepItems.Of(step, unitMm))
+        var items = StepItems.Of(step, unitMm);
+        foreach (var item in items)
         {
             if (!StepFace.IsFace(item.Instance))
             {
@@ -67,7 +81,18 @@ public sealed class FlatFaces
             }
         }
 
-        return new(faces, others, unit);
+        return new(faces, others, unit, new(() => new(items)))
+        {
+            Annotations = StepAnnotations.Of(step, Corrected(step, unitMm)),
+            Standard = StepAnnotations.StandardOf(step),
+        };
+    }
+
+    // Whoever says that the model's unit is wrong says it of tolerances in the same unit, too.
+    private static Func<double, double> Corrected(StepFile step, double? unitMm)
+    {
+        double? stated = unitMm is null ? null : StepItems.StatedUnit(step);
+        return mm => unitMm is { } right && stated is { } wrong && Math.Abs(mm - wrong) <= 1e-9 * wrong ? right : mm;
     }
 }
 
@@ -113,6 +138,9 @@ public sealed class FlatFace
 /// <param name="Line">The line in the file on which that begins.</param>
 public abstract record FaceEdge(string Entity, int Line)
 {
+    /// <summary>The number of its EDGE_CURVE, which it shares with the face beside it; 0 if it has none.</summary>
+    public long Number { get; init; }
+
     /// <summary>True if the bounds of the face pass it twice: the face is on both sides of it, so it limits nothing.</summary>
     public bool IsInside { get; init; }
 }

@@ -13,8 +13,12 @@ internal static class StepAssembly
             k => k is "MAPPED_ITEM" or "ITEM_DEFINED_TRANSFORMATION" or "CARTESIAN_TRANSFORMATION_OPERATOR_3D"))
         {
             var record = instance.Records[0];
-            if (record.Keyword != "ITEM_DEFINED_TRANSFORMATION"
-                || !Same(StepPlacement.Of(record.Instance(2)), StepPlacement.Of(record.Instance(3))))
+            if (record.Keyword switch
+            {
+                "MAPPED_ITEM" => !IsAtItsPlace(record),
+                "ITEM_DEFINED_TRANSFORMATION" => !Same(StepPlacement.Of(record.Instance(2)), StepPlacement.Of(record.Instance(3))),
+                _ => true,
+            })
             {
                 throw record.Fail(
                     "assembly",
@@ -22,6 +26,17 @@ internal static class StepAssembly
                         + "cut");
             }
         }
+    }
+
+    // Annotations are shown by cameras, and in draughting models that map the part where it is.
+    private static bool IsAtItsPlace(StepRecord item)
+    {
+        var (map, target) = (item.Instance(1), item.Instance(2));
+        var origin = map.Find("REPRESENTATION_MAP")?.Instance(0);
+        return origin is not null && (origin.Records.Any(r => r.Keyword.StartsWith("CAMERA_MODEL", StringComparison.Ordinal))
+            || origin.Id == target.Id
+            || (origin.Keyword == "AXIS2_PLACEMENT_3D" && target.Keyword == "AXIS2_PLACEMENT_3D"
+                && Same(StepPlacement.Of(origin), StepPlacement.Of(target))));
     }
 
     private static bool Same(StepPlacement a, StepPlacement b) =>

@@ -22,7 +22,7 @@ internal sealed class StepBounds(StepItem item, Point3 origin, Vector3 normal)
         var bounds = item.Instance.Records[0].Instances(1).Select(Bound).Where(b => b.Count > 0).ToList();
         return [
             .. bounds.Select(b => (IReadOnlyList<FaceEdge>)[
-                .. b.Select(e => _passed.GetValueOrDefault(e.Id) > 1 ? e.Edge with { IsInside = true } : e.Edge)])];
+                .. b.Select(e => e.Edge with { Number = e.Id, IsInside = _passed.GetValueOrDefault(e.Id) > 1 })])];
     }
 
     // Each edge with the number of its EDGE_CURVE; 0 if it has none.

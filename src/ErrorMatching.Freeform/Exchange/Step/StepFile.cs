@@ -8,7 +8,7 @@ namespace ErrorMatching.Freeform;
 internal sealed class StepFile
 {
     private readonly string _text;
-    private readonly Dictionary<long, (int Offset, int Line)> _instances = [];
+    private readonly Dictionary<long, (int Offset, int End, int Line)> _instances = [];
     private readonly List<long> _order = [];
     private long _budget;
 
@@ -36,6 +36,16 @@ internal sealed class StepFile
     /// <summary>Instances whose types satisfy a condition, in file order. The type of a complex instance is empty.</summary>
     public IEnumerable<StepInstance> Where(Func<string, bool> wanted) =>
         _order.Where(id => wanted(KeywordAt(_instances[id].Offset))).Select(id => At(id)!);
+
+    /// <summary>Numbers of the instances whose types satisfy a condition, in file order: nothing of them is parsed.</summary>
+    public IEnumerable<long> Ids(Func<string, bool> wanted) => _order.Where(id => wanted(KeywordAt(_instances[id].Offset)));
+
+    /// <summary>True if an instance of the file contains a text, whatever it means there.</summary>
+    public bool Contains(long id, string text) =>
+        _text.AsSpan(_instances[id].Offset, _instances[id].End - _instances[id].Offset).Contains(text, StringComparison.OrdinalIgnoreCase);
+
+    /// <summary>Line where an instance of the file starts.</summary>
+    public int LineOf(long id) => _instances[id].Line;
 
     public int Count(Func<string, bool> wanted) => _order.Count(id => wanted(KeywordAt(_instances[id].Offset)));
 
@@ -136,7 +146,7 @@ internal sealed class StepFile
                 "bad-instance", Name, $"{ExchangeLimits.Quote(_text[at..end])}; #number = TYPE(...); is expected", line);
         }
 
-        if (!_instances.TryAdd(id, (equals + 1, line)))
+        if (!_instances.TryAdd(id, (equals + 1, end, line)))
         {
             throw InputException.At("bad-instance", Name, string.Create(CultureInfo.InvariantCulture, $"#{id} is there twice"), line);
         }

@@ -34,7 +34,7 @@ internal sealed class StepItems
             {
                 foreach (var item in record.Instances(1))
                 {
-                    found.Visit(item, record, 0);
+                    found.Visit(item, record, 0, "");
                 }
             }
         }
@@ -42,7 +42,20 @@ internal sealed class StepItems
         return found._items;
     }
 
-    private void Visit(StepInstance item, StepRecord representation, int depth)
+    /// <summary>Millimeters per unit by what the file itself says where it has its first surface; null if it does not say.</summary>
+    public static double? StatedUnit(StepFile file)
+    {
+        try
+        {
+            return Of(file) is [var first, ..] ? first.MillimetersPerUnit : null;
+        }
+        catch (InputException)
+        {
+            return null;
+        }
+    }
+
+    private void Visit(StepInstance item, StepRecord representation, int depth, string parents)
     {
         if (!IsContainer(item.Keyword) && !item.Records.Any(r => Surfaces.Contains(r.Keyword)))
         {
@@ -62,7 +75,10 @@ internal sealed class StepItems
 
         if (!IsContainer(item.Keyword))
         {
-            _items.Add(new(item, _unitMm ?? StepUnit.Millimeters(representation.Instance(2))));
+            _items.Add(new(item, _unitMm ?? StepUnit.Millimeters(representation.Instance(2)))
+            {
+                IsOfSolid = parents is "MANIFOLD_SOLID_BREP/CLOSED_SHELL" or "BREP_WITH_VOIDS/CLOSED_SHELL",
+            });
             return;
         }
 
@@ -71,7 +87,11 @@ internal sealed class StepItems
             var inside = value.Kind == StepValueKind.List ? value.Items : [value];
             foreach (var part in inside.Where(p => p.Kind == StepValueKind.Reference))
             {
-                Visit(item.Records[0].Instance(part, 1), representation, depth + 1);
+                Visit(
+                    item.Records[0].Instance(part, 1),
+                    representation,
+                    depth + 1,
+                    depth == 0 ? item.Keyword : depth == 1 ? $"{parents}/{item.Keyword}" : "");
             }
         }
     }

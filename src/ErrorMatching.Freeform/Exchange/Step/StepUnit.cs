@@ -23,6 +23,32 @@ internal static class StepUnit
         throw units.Fail("bad-unit", "no LENGTH_UNIT among the units");
     }
 
+    /// <summary>Returns the millimeters of a unit of length.</summary>
+    /// <exception cref="InputException">It is no unit of length, or an unknown one.</exception>
+    public static double OfLength(StepInstance unit) => unit.Find("LENGTH_UNIT") is not null
+        ? Length(unit, 0)
+        : throw unit.Records[0].Fail("bad-unit", "it is no LENGTH_UNIT; one is expected");
+
+    /// <summary>Returns the degrees of a unit of angle.</summary>
+    /// <exception cref="InputException">It is no unit of angle, or an unknown one.</exception>
+    public static double OfAngle(StepInstance unit)
+    {
+        if (unit.Find("SI_UNIT") is { } si)
+        {
+            return si.Word(si.Values.Count - 1) == "RADIAN" && si.Word(si.Values.Count - 2) == ""
+                ? 180 / Math.PI
+                : throw si.Fail("bad-unit", "an angle in something else than RADIAN");
+        }
+
+        var record = unit.Get("CONVERSION_BASED_UNIT");
+        var factor = record.Instance(record.Values.Count - 1).Records.FirstOrDefault(r => r.Values.Count >= 2)
+            ?? throw record.Fail("bad-unit", "a unit without its measure");
+        var inner = factor.Instance(1);
+        return factor.Real(0) > 0 && inner.Find("SI_UNIT") is not null
+            ? factor.Real(0) * OfAngle(inner)
+            : throw factor.Fail("bad-unit", "a unit that is not a positive multiple of RADIAN");
+    }
+
     private static double Length(StepInstance unit, int depth)
     {
         if (unit.Find("SI_UNIT") is { } si)
