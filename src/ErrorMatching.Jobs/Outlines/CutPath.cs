@@ -175,7 +175,10 @@ internal sealed class CutPath
             if (distance <= withinMm
                 && (best is not { } last || distance < last.DistanceMm || (distance == last.DistanceMm && m < last.Motion)))
             {
-                best = new(m, at, distance, IsOffset(m), motion.TangentAt(fraction).Left);
+                best = new(m, at, distance, IsOffset(m), motion.TangentAt(fraction).Left)
+                {
+                    IsToolRight = motion.Has(MotionFlags.CompensationRight),
+                };
             }
         }
 
@@ -213,4 +216,12 @@ internal sealed record CutArc(Point2 Center, double Radius, bool IsCompensated);
 /// <param name="DistanceMm">Its distance.</param>
 /// <param name="IsCompensated">True if the control offsets the tool there.</param>
 /// <param name="Left">Unit vector to the left of the path there.</param>
-internal readonly record struct CutFoot(int Motion, Point2 At, double DistanceMm, bool IsCompensated, Vector2 Left);
+internal readonly record struct CutFoot(int Motion, Point2 At, double DistanceMm, bool IsCompensated, Vector2 Left)
+{
+    /// <summary>True if the control offsets the tool to the right of the path.</summary>
+    public bool IsToolRight { get; init; }
+
+    /// <summary>The direction from a point of the boundary to the tool that cuts it there.</summary>
+    /// <param name="boundary">The point whose foot this is.</param>
+    public Vector2 ToTool(Point2 boundary) => !IsCompensated ? At - boundary : IsToolRight ? -Left : Left;
+}

@@ -8,6 +8,9 @@ namespace ErrorMatching.Jobs;
 /// <param name="Lists">Places to touch, in the drawing's frame, in the order of cutting: one list for each part of the kind.</param>
 internal sealed record OutlineFeature(FeatureKind Kind, IReadOnlyList<IReadOnlyList<Point2>> Lists)
 {
+    /// <summary>The elements of the outline that it is of.</summary>
+    public required IReadOnlyList<OutlineElement> Elements { get; init; }
+
     // Shorter stretches are left out: no probe tells their direction, mm.
     private const double LeastMm = 2;
 
@@ -70,7 +73,10 @@ internal sealed record OutlineFeature(FeatureKind Kind, IReadOnlyList<IReadOnlyL
                         OutlineElementKind.Circle => FeatureKinds.Of("circle"),
                         _ => FeatureKinds.Of("curve"),
                     },
-                    [points]),
+                    [points])
+                {
+                    Elements = [element],
+                },
                 Math.Min(first, last)));
         }
 
@@ -160,6 +166,6 @@ internal sealed record OutlineFeature(FeatureKind Kind, IReadOnlyList<IReadOnlyL
             Array.ForEach(lists, Array.Reverse);
         }
 
-        return (new(FeatureKinds.Of("slot"), lists), feet.SelectMany(f => f).Min(f => f!.Value.Motion));
+        return (new(FeatureKinds.Of("slot"), lists) { Elements = elements }, feet.SelectMany(f => f).Min(f => f!.Value.Motion));
     }
 }

@@ -14,7 +14,7 @@ namespace ErrorMatching.Jobs;
 public sealed record OutlineJob
 {
     // Limits that somebody has to replace: a drawing does not say them.
-    private const string Limits = "[-0.05, 0.05]";
+    private const string Placeholder = "[-0.05, 0.05]";
 
     // No word of a program says less, mm; and what turns a meter by less than that, degrees.
     private const int Decimals = 4, DecimalsOfDegrees = 6;
@@ -78,6 +78,13 @@ public sealed record OutlineJob
 
     /// <summary>The proposed features: name, kind, number of key points and blocks.</summary>
     public required IReadOnlyList<(string Name, FeatureKind Kind, int Points, IReadOnlyList<string> Blocks)> Features { get; init; }
+
+    /// <summary>The limits that the model states, mm, and the names of their annotations, by the names of the features.</summary>
+    public IReadOnlyDictionary<string, (double Lower, double Upper, string From)> Limits { get; init; } =
+        new Dictionary<string, (double, double, string)>();
+
+    /// <summary>The dimensions and tolerances of the model, with what became of them, in file order; none of a drawing.</summary>
+    public IReadOnlyList<OutlineTolerance> Tolerances { get; init; } = [];
 
     /// <summary>True if nobody named the tool: its diameter is what the outline's distance from the path says.</summary>
     public bool IsToolFound => Request.ToolDiameterMm is null;
@@ -182,13 +189,13 @@ public sealed record OutlineJob
         }
 
         var features = chains.SelectMany(c => OutlineFeature.Of(c, laying, cuts, notes)).OrderBy(f => f.Motion).Select(f => f.Feature);
-        var made = WithBlocks(request, path, cuts, layer, drawing.Unit, laying, [.. Named(features)], notes);
+        var made = WithBlocks(request, path, cuts, layer, drawing, laying, [.. Named(features)], notes);
         return made.Result is { } job ? job with { Outline = Lines(chains, laying.Frame) }
             : UnitOf(request, drawing, layer, cuts) is { } unit ? unit : made;
     }
 
-    /// <summary>A draft with the outline: its features with their blocks, frame, tool and program. What a drawing does not say, stays as
-    /// the draft has it; limits, which were for other features, are empty.</summary>
+    /// <summary>A draft with the outline: its features with their blocks, frame, tool and program. What a drawing does not say stays as
+    /// the draft has it. Limits that a model does not state are empty: those of the draft were for other features.</summary>
     /// <param name="draft">The draft.</param>
     public MatingDraft Into(MatingDraft draft)
     {
@@ -197,7 +204,7 @@ public sealed record OutlineJob
         var taken = draft with
         {
             Name = draft.Name.Trim().Length > 0 ? draft.Name : Path.GetFileNameWithoutExtension(Request.Drawing),
-            Features = [.. made.Features.Select(f => f with { Lower = "", Upper = "" })],
+            Features = [.. made.Features.Select(f => Limits.ContainsKey(f.Name) ? f : f with { Lower = "", Upper = "" })],
             OtherPoints = [],
             Program = DraftProgram.Of(Program),
         };
@@ -346,7 +353,10 @@ public sealed record OutlineJob
                 feature.Kind,
                 [.. feature.Lists.Select(l => (IReadOnlyList<(string, Point2)>)[
                     .. l.Select(p => ((++label).ToString(CultureInfo.InvariantCulture), p))])],
-                []);
+                [])
+            {
+                Elements = feature.Elements,
+            };
         }
     }
 
@@ -356,7 +366,7 @@ public sealed record OutlineJob
         NcPath path,
         CutPath cuts,
         string layer,
-        DrawingUnit unit,
+        Drawing drawing,
         OutlineLaying laying,
         Proposed[] features,
         List<string> notes)
@@ -392,6 +402,20 @@ public sealed record OutlineJob
             p => cuts.FootOf(laying.Frame.Apply(p.At), laying.RadiusMm + JobCounterpart.DefaultMapMm) is { } foot
                 ? foot.DistanceMm - (foot.IsCompensated ? 0 : laying.RadiusMm)
                 : JobCounterpart.DefaultMapMm)];
+        var (limits, annotations) = OutlineTolerances.Of(
+            drawing, layer, [.. kept.Select(k => new TolerancedFeature(k.Name, k.Kind.Word, k.Elements))], laying, cuts);
+        for (var k = 0; k < kept.Count; k++)
+        {
+            kept[k] = kept[k] with { Limits = limits[k] };
+        }
+
+        if (annotations.Count(t => t.UnitMm is { } mm && Math.Abs(mm - 1) > 1e-9) is > 0 and var converted)
+        {
+            notes.Add(
+                $"Converted to millimeters: {ReportNumber.Count(converted, "dimension or tolerance", "dimensions and tolerances")} of the "
+                    + "model in another unit.");
+        }
+
         var table = Table(kept.SelectMany(k => k.Points));
         return new OutlineJob
         {
@@ -400,14 +424,17 @@ public sealed record OutlineJob
             Job = Encoding.UTF8.GetBytes(JobText(request, path.Program, laying.Frame, diameter, kept)),
             Theoretical = table,
             Layer = layer,
-            UnitMm = unit.Mm,
+            UnitMm = drawing.Unit.Mm,
             Frame = laying.Frame,
             ToolDiameterMm = diameter,
             CoveredShare = laying.CoveredShare,
             RmsMm = Math.Sqrt(offs.Average(o => o * o)),
             LargestMm = offs.Max(Math.Abs),
             Features = [.. kept.Select(k => (k.Name, k.Kind, k.Points.Count(), k.Blocks))],
-            IsUnitAssumed = !unit.IsStated,
+            Limits = kept.Where(k => k.Limits is not null).ToDictionary(
+                k => k.Name, k => (k.Limits!.Lower, k.Limits.Upper, k.Limits.From), StringComparer.Ordinal),
+            Tolerances = annotations,
+            IsUnitAssumed = !drawing.Unit.IsStated,
             OtherWays = laying.Others,
             Remarks = notes,
             Read = [request.Drawing, request.Program],
@@ -439,7 +466,9 @@ public sealed record OutlineJob
         var text = new StringBuilder();
         text.Append(CultureInfo.InvariantCulture, $$"""
             // A mating job made from {{Path.GetFileName(request.Drawing).ReplaceLineEndings(" ")}}. Millimeters and degrees.
-            // To be replaced: the limits (toleranceMm), the gauge's uncertainty, and the name of the measured file.
+            // To be replaced: {{(features.Any(f => f.Limits is not null)
+                ? "the limits (toleranceMm) that are not from the model (toleranceFrom)"
+                : "the limits (toleranceMm)")}}, the gauge's uncertainty, and the name of the measured file.
             {
               "kind": "mating",
               "name": {{JsonEdit.Text(Path.GetFileNameWithoutExtension(request.Job))}},
@@ -448,13 +477,18 @@ public sealed record OutlineJob
               "features": [
 
             """);
-        foreach (var (name, kind, lists, blocks) in features)
+        foreach (var feature in features)
         {
+            var (name, kind, lists, blocks) = feature;
             var points = lists.Count == 1 ? Labels(lists[0]) : "[" + string.Join(", ", lists.Select(Labels)) + "]";
             text.Append(
                 CultureInfo.InvariantCulture,
                 $$"""    { "name": {{JsonEdit.Text(name)}}, "kind": "{{kind.Word}}", "points": {{points}}, """)
-                .Append(CultureInfo.InvariantCulture, $"\"blocks\": {JsonEdit.List(blocks)}, \"toleranceMm\": {Limits} }},")
+                .Append(CultureInfo.InvariantCulture, $"\"blocks\": {JsonEdit.List(blocks)}, ")
+                .Append(feature.Limits is not { } limits
+                    ? $"\"toleranceMm\": {Placeholder} }},"
+                    : $"\"toleranceMm\": [{Number(limits.Lower)}, {Number(limits.Upper)}], "
+                        + $"\"toleranceFrom\": {JsonEdit.Text(limits.From)} }},")
                 .Append('\n');
         }
 
@@ -492,6 +526,10 @@ public sealed record OutlineJob
         IReadOnlyList<IReadOnlyList<(string Label, Point2 At)>> Lists,
         IReadOnlyList<string> Blocks)
     {
+        public required IReadOnlyList<OutlineElement> Elements { get; init; }
+
+        public OutlineLimits? Limits { get; init; }
+
         public IEnumerable<(string Label, Point2 At)> Points => Lists.SelectMany(l => l);
     }
 }

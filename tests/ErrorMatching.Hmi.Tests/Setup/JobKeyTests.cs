@@ -11,10 +11,10 @@ public sealed class JobKeyTests
     // Set in the job's file only. What is chosen on the screen in another way than in a field is among them: files, program, control.
     private static readonly string[] WithoutField = [
         "$.$schema", "$.kind", "$.part.measured", "$.gauge.labels", "$.gauge.uncertaintyMm.shared", "$.without", "$.commonMotionMm",
-        "$.features.kind", "$.features.gapMm", "$.features.base", "$.features.formMm", "$.counterpart.blockSkip", "$.counterpart.assume",
-        "$.counterpart.programSha256", "$.counterpart.libraries", "$.correction.allow", "$.correction.otherCuts", "$.correction.withinMm",
-        "$.correction.firstVariable", "$.correction.programNumber", "$.correction.tool", "$.correction.radiusOffset",
-        "$.correction.stepMm", "$.correction.totalMm", "$.correction.stepDegrees", "$.correction.totalDegrees"];
+        "$.features.kind", "$.features.toleranceFrom", "$.features.gapMm", "$.features.base", "$.features.formMm",
+        "$.counterpart.blockSkip", "$.counterpart.assume", "$.counterpart.programSha256", "$.counterpart.libraries", "$.correction.allow",
+        "$.correction.otherCuts", "$.correction.withinMm", "$.correction.firstVariable", "$.correction.programNumber", "$.correction.tool",
+        "$.correction.radiusOffset", "$.correction.stepMm", "$.correction.totalMm", "$.correction.stepDegrees", "$.correction.totalDegrees"];
 
     [Fact]
     public Task Each_key_of_the_schema_has_a_field_or_is_known_to_have_none() => SetupSeat.AtAsync(ScreenKeys.System, seat =>

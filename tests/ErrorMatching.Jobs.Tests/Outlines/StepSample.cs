@@ -20,6 +20,15 @@ internal sealed class StepSample
     private readonly List<string> _lines = [];
     private readonly List<string> _faces = [];
 
+    /// <summary>The faces in order: of a plate those of its sides, outline by outline, then its top and its bottom.</summary>
+    public IReadOnlyList<string> Faces => _faces;
+
+    /// <summary>The tangent by which the planes of a plate's sides lean.</summary>
+    public double Slope { get; init; }
+
+    /// <summary>True to write the faces as those of a solid, so that their normals point out of it.</summary>
+    public bool IsSolid { get; init; }
+
     /// <summary>The line on which an instance begins.</summary>
     public static int LineOf(string instance) => Header + int.Parse(instance.AsSpan(1), CultureInfo.InvariantCulture) - First;
 
@@ -103,7 +112,7 @@ internal sealed class StepSample
                 var next = (i + 1) % loop.Count;
                 var surface = loop[i] is DrawnArc arc
                     ? Add($"CYLINDRICAL_SURFACE('',{Upright(At(arc.Center, bottom))},{Real(arc.Radius / unitMm)})")
-                    : Plane(At(loop[i].From, bottom), Space(loop[i].DirectionAtStart.Left));
+                    : Plane(At(loop[i].From, bottom), Space(-loop[i].DirectionAtStart.Left) + new Vector3(0, 0, Slope));
                 Face(
                     surface,
                     [
@@ -140,7 +149,9 @@ internal sealed class StepSample
 
     public string Text(string unit = Millimeter)
     {
-        var shell = Add($"SHELL_BASED_SURFACE_MODEL('',({Add($"OPEN_SHELL('',({string.Join(',', _faces)}))")}))");
+        var shell = IsSolid
+            ? Add($"MANIFOLD_SOLID_BREP('',{Add($"CLOSED_SHELL('',({string.Join(',', _faces)}))")})")
+            : Add($"SHELL_BASED_SURFACE_MODEL('',({Add($"OPEN_SHELL('',({string.Join(',', _faces)}))")}))");
         var text = new StringBuilder(
             """
             ISO-10303-21;

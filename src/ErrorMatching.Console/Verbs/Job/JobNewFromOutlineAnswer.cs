@@ -12,6 +12,9 @@ namespace ErrorMatching.Console;
 /// <param name="made">What it was made of.</param>
 internal sealed class JobNewFromOutlineAnswer(string file, string theoretical, OutlineJob made) : DocumentAnswer
 {
+    // More are listed by --json alone.
+    private const int MostShown = 200;
+
     public override string Schema => "errormatch/job-new-from-outline/1";
 
     public override void WriteJson(Utf8JsonWriter json)
@@ -46,7 +49,15 @@ internal sealed class JobNewFromOutlineAnswer(string file, string theoretical, O
             }
 
             json.WriteEndArray();
+            WriteLimits(json, made.Limits.TryGetValue(name, out var limits) ? limits : null);
             json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+        json.WriteStartArray("tolerances");
+        foreach (var tolerance in made.Tolerances)
+        {
+            WriteTolerance(json, tolerance);
         }
 
         json.WriteEndArray();
@@ -77,13 +88,128 @@ internal sealed class JobNewFromOutlineAnswer(string file, string theoretical, O
             made.Features.Select(f => (IReadOnlyList<string>)
                 [f.Name, f.Kind.Word, ReportNumber.Count(f.Points), string.Join(", ", f.Blocks)]));
         page.Line();
+        if (made.Tolerances.Count > 0)
+        {
+            WriteTolerances(page);
+        }
+
         foreach (var note in made.Notes)
         {
             page.Line($"Note: {note}");
         }
 
-        page.Line($"Wrote {file} and {theoretical}. The drawing says no limits: ±0.05 mm stands at each feature, and 0.005 mm for the "
-            + $"gauge. Write your own, then: errormatch job check {file}");
+        string[] missing = [.. made.Features.Select(f => f.Name).Where(n => !made.Limits.ContainsKey(n))];
+        page.Line($"Wrote {file} and {theoretical}. " + (missing.Length == 0
+            ? "All limits are the model's, and 0.005 mm stands there for the gauge. Write your own uncertainty"
+            : made.Limits.Count == 0
+                ? "The drawing says no limits: ±0.05 mm stands at each feature, and 0.005 mm for the gauge. Write your own"
+                : $"The model says no limits of {string.Join(", ", missing)}: ±0.05 mm stands there, and 0.005 mm for the gauge. "
+                    + "Write your own")
+            + $", then: errormatch job check {file}");
+    }
+
+    // Those that became limits first.
+    private void WriteTolerances(Page page)
+    {
+        OutlineTolerance[] ordered = [
+            .. made.Tolerances.Where(t => t.Became != OutlineTolerance.Asked),
+            .. made.Tolerances.Where(t => t.Became == OutlineTolerance.Asked)];
+        var asked = made.Tolerances.Count(t => t.Became == OutlineTolerance.Asked);
+        page.Line($"The model has {ReportNumber.Count(ordered.Length, "dimension or tolerance", "dimensions and tolerances")}: "
+            + $"{ReportNumber.Count(ordered.Length - asked)} became limits, {ReportNumber.Count(asked)} {(asked == 1 ? "is" : "are")} "
+            + "asked: decide what of them the job needs.");
+        foreach (var tolerance in ordered.Take(MostShown))
+        {
+            var name = PrintedText.OneLine(tolerance.Name.Length > 0 ? $"{tolerance.Name}, {tolerance.Entity}" : tolerance.Entity);
+            page.Line($"  {name}{Value(tolerance)}: {Became(tolerance)}{PrintedText.OneLine(tolerance.Reason)}.");
+        }
+
+        if (ordered.Length > MostShown)
+        {
+            page.Line($"  ... and {ReportNumber.Count(ordered.Length - MostShown)} more: --json lists them all.");
+        }
+
+        page.Line();
+    }
+
+    private string Became(OutlineTolerance tolerance)
+    {
+        if (tolerance.Became == OutlineTolerance.Asked)
+        {
+            return "asked: ";
+        }
+
+        var features = string.Join(", ", tolerance.Features.Select(f => string.Create(
+            CultureInfo.InvariantCulture, $"{f} [{made.Limits[f].Lower:0.######}, {made.Limits[f].Upper:0.######}] mm")));
+        return (tolerance.Became == OutlineTolerance.Limits ? "limits of " : "limits, at least as strict, of ") + features + ": ";
+    }
+
+    private static string Value(OutlineTolerance tolerance)
+    {
+        var (value, unit) = tolerance.ValueMm is not null ? (tolerance.ValueMm, " mm") : (tolerance.ValueDegrees, "°");
+        var limits = tolerance is { Lower: { } lower, Upper: { } upper }
+            ? string.Create(CultureInfo.InvariantCulture, $" ({lower:+0.######;-0.######;0}, {upper:+0.######;-0.######;0})")
+            : "";
+        return value is null ? "" : string.Create(CultureInfo.InvariantCulture, $" {value:0.######}{limits}{unit}");
+    }
+
+    private static void WriteLimits(Utf8JsonWriter json, (double Lower, double Upper, string From)? limits)
+    {
+        if (limits is not var (lower, upper, from))
+        {
+            json.WriteNull("toleranceMm");
+            json.WriteNull("toleranceFrom");
+            return;
+        }
+
+        json.WriteStartArray("toleranceMm");
+        json.WriteNumberValue(lower);
+        json.WriteNumberValue(upper);
+        json.WriteEndArray();
+        json.WriteString("toleranceFrom", from);
+    }
+
+    private static void WriteTolerance(Utf8JsonWriter json, OutlineTolerance tolerance)
+    {
+        json.WriteStartObject();
+        json.WriteString("name", tolerance.Name);
+        json.WriteString("entity", tolerance.Entity);
+        json.WriteNumber("line", tolerance.Line);
+        json.WriteString("kind", tolerance.Kind);
+        WriteNumber(json, "valueMm", tolerance.ValueMm);
+        WriteNumber(json, "valueDeg", tolerance.ValueDegrees);
+        WriteNumber(json, "lower", tolerance.Lower);
+        WriteNumber(json, "upper", tolerance.Upper);
+        WriteNumber(json, "unitMm", tolerance.UnitMm);
+        WriteTexts(json, "datums", tolerance.Datums);
+        WriteTexts(json, "faces", tolerance.Faces);
+        json.WriteString("became", tolerance.Became);
+        WriteTexts(json, "features", tolerance.Features);
+        json.WriteString("reason", tolerance.Reason);
+        json.WriteEndObject();
+    }
+
+    private static void WriteNumber(Utf8JsonWriter json, string key, double? value)
+    {
+        if (value is { } number)
+        {
+            json.WriteNumber(key, number);
+        }
+        else
+        {
+            json.WriteNull(key);
+        }
+    }
+
+    private static void WriteTexts(Utf8JsonWriter json, string key, IReadOnlyList<string> texts)
+    {
+        json.WriteStartArray(key);
+        foreach (var text in texts)
+        {
+            json.WriteStringValue(text);
+        }
+
+        json.WriteEndArray();
     }
 
     private string MirrorWord => made.Frame.Mirror switch { Mirror.X => "x", Mirror.Y => "y", _ => "none" };

@@ -18,6 +18,12 @@ internal sealed record Drawing(string File, DrawingUnit Unit, IReadOnlyList<Draw
     /// are missing.</summary>
     public IReadOnlyDictionary<string, string> Places { get; init; } = new Dictionary<string, string>();
 
+    /// <summary>The dimensions and tolerances of a model; none of a drawing.</summary>
+    public IReadOnlyList<ModelAnnotation> Annotations { get; init; } = [];
+
+    /// <summary>The standard of the tolerances.</summary>
+    public ToleranceStandard Standard { get; init; }
+
     /// <summary>Reads a drawing. A STEP file says itself that it is one; for others, the extension decides.</summary>
     /// <param name="file">The file.</param>
     /// <param name="unitMm">Millimeters in its unit, whatever it says itself; null if it says it.</param>
@@ -48,6 +54,12 @@ internal readonly record struct DrawingUnit(double Mm, bool IsStated);
 /// <param name="Entity">What it is in the file, for messages: <c>LINE at line 120</c>.</param>
 internal abstract record DrawnCurve(string Layer, string Entity)
 {
+    /// <summary>The numbers of the edges of a model that it is, where they have one.</summary>
+    public IReadOnlyList<long> Edges { get; init; } = [];
+
+    /// <summary>The faces of a model that meet the drawn one in it; none is known of a drawing.</summary>
+    public IReadOnlyList<DrawnWall> Walls { get; init; } = [];
+
     /// <summary>Its start.</summary>
     public abstract Point2 From { get; }
 
@@ -69,6 +81,12 @@ internal abstract record DrawnCurve(string Layer, string Entity)
     /// <summary>The same curve from its end to its start.</summary>
     public abstract DrawnCurve Reversed();
 }
+
+/// <summary>A face of a model that meets the drawn face in a curve.</summary>
+/// <param name="Face">The number of its instance.</param>
+/// <param name="IsUpright">True if it is perpendicular to the drawing, so that its normal is that of the outline.</param>
+/// <param name="Outward">The direction out of the material in the drawing, of any length; null if the file does not say it.</param>
+internal sealed record DrawnWall(long Face, bool IsUpright, Vector2? Outward);
 
 /// <summary>A line.</summary>
 /// <param name="Layer">Its layer.</param>

@@ -1,3 +1,4 @@
+using ErrorMatching.Freeform;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Jobs;
@@ -29,6 +30,20 @@ internal sealed record ModelView(string Axis, string Right, string Up)
 
     /// <summary>How far along the axis a point is, mm.</summary>
     public double HeightOf(Point3 p) => Along(p - default(Point3), Axis);
+
+    /// <summary>The point of the model at a place of the drawing.</summary>
+    /// <param name="p">The place.</param>
+    /// <param name="heightMm">How far along the axis it is.</param>
+    public Point3 At(Point2 p, double heightMm) => Axis switch
+    {
+        "X" => new(heightMm, p.X, p.Y),
+        "Y" => new(p.Y, heightMm, p.X),
+        _ => new(p.X, p.Y, heightMm),
+    };
+
+    /// <summary>True if a face is perpendicular to the drawing.</summary>
+    public bool IsUpright(WallFace face) => face.IsParallelTo(
+        new(Axis == "X" ? 1 : 0, Axis == "Y" ? 1 : 0, Axis is "X" or "Y" ? 0 : 1));
 
     private static double Along(Vector3 v, string axis) => axis switch
     {

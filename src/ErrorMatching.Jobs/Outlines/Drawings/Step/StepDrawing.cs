@@ -46,6 +46,8 @@ internal static class StepDrawing
 
         return new(file, new(model.UnitMm, true), curves, notes)
         {
+            Annotations = model.Annotations,
+            Standard = model.Standard,
             Places = outlines.ToDictionary(o => o.Outline.Layer, o => Place(o.Outline, o.Name), StringComparer.Ordinal),
         };
     }
@@ -120,6 +122,11 @@ internal static class StepDrawing
                 continue;
             }
 
+            for (var c = before; c < pen.Curves.Count && model.Annotations.Count > 0; c++)
+            {
+                pen.Curves[c] = WithWalls(pen.Curves[c], model, face, view);
+            }
+
             outline.Heights.Add(view.HeightOf(face.Origin));
             outlines.Add((outline, face.Name));
         }
@@ -146,6 +153,17 @@ internal static class StepDrawing
         }
 
         return (outlines, pen.Curves);
+    }
+
+    private static DrawnCurve WithWalls(DrawnCurve curve, FlatFaces model, FlatFace face, ModelView view)
+    {
+        var middle = view.At(curve.AtLength(curve.LengthMm / 2), view.HeightOf(face.Origin));
+        return curve with
+        {
+            Walls = [
+                .. curve.Edges.SelectMany(model.FacesAt).Where(w => w.Number != face.Number).DistinctBy(w => w.Number).Select(
+                    w => new DrawnWall(w.Number, view.IsUpright(w), w.OutwardAt(middle) is { } outward ? view.Of(outward) : null))],
+        };
     }
 
     private static string Others(FlatFaces model) => model.Others.Count == 0 ? "" : $"Passed over, because they are not flat: "

@@ -40,6 +40,11 @@ internal sealed class StepPen(string file) : DrawingPen
                 _edge = edge;
                 var before = Curves.Count;
                 Draw(edge, view);
+                for (var c = before; c < Curves.Count && edge.Number > 0; c++)
+                {
+                    Curves[c] = Curves[c] with { Edges = [edge.Number] };
+                }
+
                 loop.AddRange(Curves.Skip(before).Select(c => (c, edge.IsInside)));
             }
 
@@ -145,6 +150,7 @@ internal sealed class StepPen(string file) : DrawingPen
             && a.To.DistanceTo(b.From) <= OutlineChain.JoinMm
             ? a with
             {
+                Edges = [.. a.Edges.Union(b.Edges)],
                 Sweep = Math.Abs(a.Sweep + b.Sweep) > Math.Tau - 1e-6 ? Math.Sign(a.Sweep) * Math.Tau : a.Sweep + b.Sweep,
             }
             : null;
