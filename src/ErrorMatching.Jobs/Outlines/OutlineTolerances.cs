@@ -319,8 +319,8 @@ internal sealed class OutlineTolerances
         {
             taken.ForEach(d => _reasons[d.Annotation].Add(string.Create(
                 CultureInfo.InvariantCulture,
-                $"limits of {name} of {lower:0.######} and {upper:0.######} mm are beyond the {JobCompensation.Default.LimitMm} mm at which "
-                    + $"a job stops (compensation.limitMm)")));
+                $"limits of {name} of {lower:0.######} and {upper:0.######} mm are beyond the {JobCompensation.Default.LimitMm} mm at "
+                    + $"which a job stops (compensation.limitMm)")));
             return null;
         }
 

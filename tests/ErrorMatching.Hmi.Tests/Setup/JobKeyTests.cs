@@ -14,7 +14,8 @@ public sealed class JobKeyTests
         "$.features.kind", "$.features.toleranceFrom", "$.features.gapMm", "$.features.base", "$.features.formMm",
         "$.counterpart.blockSkip", "$.counterpart.assume", "$.counterpart.programSha256", "$.counterpart.libraries", "$.correction.allow",
         "$.correction.otherCuts", "$.correction.withinMm", "$.correction.firstVariable", "$.correction.programNumber", "$.correction.tool",
-        "$.correction.radiusOffset", "$.correction.stepMm", "$.correction.totalMm", "$.correction.stepDegrees", "$.correction.totalDegrees"];
+        "$.correction.radiusOffset", "$.correction.stepMm", "$.correction.totalMm", "$.correction.stepDegrees",
+        "$.correction.totalDegrees"];
 
     [Fact]
     public Task Each_key_of_the_schema_has_a_field_or_is_known_to_have_none() => SetupSeat.AtAsync(ScreenKeys.System, seat =>
