@@ -146,7 +146,9 @@ public sealed partial class CompensationWordsTests
     {
         Arrive(seat);
         seat.Tap("tab-" + side);
-        var columns = seat.See(side switch { "points" => side, "counterpart" => "counterparts", _ => "quantities" }).GetVisualDescendants().OfType<TextBlock>()
+        var columns = seat.See(side switch { "points" => side, "counterpart" => "counterparts", _ => "quantities" })
+            .GetVisualDescendants()
+            .OfType<TextBlock>()
             .Where(
                 t => t.IsEffectivelyVisible
                     && t.Classes.Contains("figure")

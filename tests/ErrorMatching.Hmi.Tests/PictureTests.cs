@@ -72,7 +72,8 @@ public sealed class PictureTests
         Assert.True(drawing.IsTurned);
         Assert.Equal(pair.Contacts.Select(c => (Lying(c.Place), c.Feature, c.Block)), drawing.Contacts);
 
-        // The counterpart is away from the part by the gap, exaggerated, toward its own material; where they overlap, it is within the part.
+        // The counterpart is away from the part by the gap, exaggerated, toward its own material; where they overlap, it is within
+        // the part.
         Assert.Equal(pair.Gaps.Count, drawing.Part.Sum(l => l.Count));
         Assert.All(
             pair.Gaps.Zip(drawing.Part.SelectMany(l => l), drawing.Counterpart.SelectMany(l => l)),

@@ -114,7 +114,9 @@ internal sealed class GapPlot : PlotArea
         {
             var (label, at, _, gap, part, _) = drawing.Points[index];
             return new(
-                at, Texts.Current.With("Detail.GapAt", label, Shown.SignedMm(-gap, drawing.Interval95Mm(label)), Shown.SignedMm(part)), index);
+                at,
+                Texts.Current.With("Detail.GapAt", label, Shown.SignedMm(-gap, drawing.Interval95Mm(label)), Shown.SignedMm(part)),
+                index);
         }
 
         if (index < drawing.Points.Count + drawing.Contacts.Count)

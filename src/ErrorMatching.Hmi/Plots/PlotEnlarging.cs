@@ -5,8 +5,8 @@ using Avalonia.VisualTree;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>A plot that fills the screen that it is on. Whatever is beside it is hidden until it leaves, but for what explains
-/// the plot (class <c>key</c>), such as a legend of its colors.</summary>
+/// <summary>A plot that fills the screen that it is on, the outermost control of class <c>screen</c>. Whatever is beside it is hidden until
+/// it leaves, but for what explains the plot (class <c>key</c>), such as a legend of its colors.</summary>
 internal sealed class PlotEnlarging
 {
     private readonly List<IDisposable> _covers = [];
@@ -14,7 +14,7 @@ internal sealed class PlotEnlarging
     /// <summary>Enlarges a plot; nothing happens if it is on no screen.</summary>
     public PlotEnlarging(PlotArea plot)
     {
-        if (plot.GetVisualAncestors().OfType<ScreenHost>().LastOrDefault() is not { } screen)
+        if (plot.GetVisualAncestors().OfType<Control>().LastOrDefault(c => c.Classes.Contains("screen")) is not { } screen)
         {
             return;
         }

@@ -17,6 +17,9 @@ internal sealed class ScreenHost : Decorator
     private Unfolding? _unfolding;
     private bool _isAwaited;
 
+    /// <summary>An empty host.</summary>
+    public ScreenHost() => Classes.Add("screen");
+
     /// <summary>Its view model; null for none.</summary>
     public object? Screen
     {

@@ -61,7 +61,8 @@ internal static class MatchVerdictText
         };
     }
 
-    /// <summary>An error at its place in a picture: the point, or the feature between its points, and the error with its interval.</summary>
+    /// <summary>An error at its place in a picture: the point, or the feature between its points, and the error with its
+    /// interval.</summary>
     public static string At(ErrorLeft error)
     {
         ArgumentNullException.ThrowIfNull(error);

@@ -15,7 +15,8 @@ internal sealed class Tour(Seat seat)
         ("machine", "edit-compensation.gain"),
         ("gauge", "contribution-add")];
     private static readonly (string Side, string Shows)[] Mating = [
-        ("points", "points"), ("counterpart", "counterparts"), ("features", "quantities"), ("program", "program"), ("gap", "gap-after"), ("decisions", "decisions"), ("course", "steps")];
+        ("points", "points"), ("counterpart", "counterparts"), ("features", "quantities"), ("program", "program"), ("gap", "gap-after"),
+        ("decisions", "decisions"), ("course", "steps")];
     private static readonly (string Side, string Shows)[] Piece = [
         ("errors", "plot-errors"),
         ("assembly", "assembly-after"),

@@ -27,7 +27,8 @@ internal sealed class PieceDetail : Observable
         Errors = ErrorsOf();
         Trend = TrendOf(series);
         (Before, After) = (GapDrawing.Before(piece), GapDrawing.After(piece));
-        Seat = GapDrawing.AtSeat(piece, Pair, piece.Verdict?.Worst ?? piece.Match?.Verdict.WorstBetween ?? piece.Match?.Verdict.Worst) ?? After;
+        var worst = piece.Verdict?.Worst ?? piece.Match?.Verdict.WorstBetween ?? piece.Match?.Verdict.Worst;
+        Seat = GapDrawing.AtSeat(piece, Pair, worst) ?? After;
     }
 
     /// <summary>Number and serial number or file.</summary>
