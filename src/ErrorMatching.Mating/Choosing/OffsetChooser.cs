@@ -58,7 +58,7 @@ internal sealed class OffsetChooser
     {
         (_job, _path, _maps, _before, _file, _marker, _use) = (job, path, maps, before, file, marker, new(job.Correction, path, maps));
         _places = piece.Places();
-        var (was, by) = (Cuts(r => r.OnCuts(path)), blocks is null ? null : Cuts(r => r.OnCuts(blocks)));
+        var (was, by) = (Cuts(r => r.Run.On(path)), blocks is null ? null : Cuts(r => r.Run.On(blocks)));
         _now = [.. _places.Select(p => p.ErrorOn(was(p.Run)))];
         _byBlocks = [
             .. _places.Select((p, k) => by is not null ? p.ErrorOn(by(p.Run))
@@ -162,7 +162,7 @@ internal sealed class OffsetChooser
                 var total = new OffsetShift(
                     before.XMm + step.XMm, before.YMm + step.YMm, before.RotationDegrees + step.RotationDegrees);
                 var move = OffsetFit.Move((double)step.XMm, (double)step.YMm, (double)step.RotationDegrees);
-                best = Better(best, Tried(Cuts(r => r.OnCuts(_path).Moved(move)), 0, total) with
+                best = Better(best, Tried(Cuts(r => r.Run.On(_path).Moved(move)), 0, total) with
                 {
                     Beyond = BeyondLimits((step.XMm, total.XMm), (step.YMm, total.YMm)) ?? BeyondTurn(step, total)
                 });
@@ -241,7 +241,7 @@ internal sealed class OffsetChooser
     // The boundary beside the programmed one by a distance, and whether the control still follows it with the tool.
     private string? Beside(double distance, out Func<RunEstimate, RunPath> cuts)
     {
-        cuts = r => r.OnCuts(_path);
+        cuts = r => r.Run.On(_path);
         var tool = CompensatedPath.Of(_path, ToolRadii.Of((_job.Counterpart.ToolDiameterMm / 2) + distance));
         var boundary = CompensatedPath.Of(_path, ToolRadii.Of(distance));
         if ((tool.Refusal ?? boundary.Refusal) is { } refusal)

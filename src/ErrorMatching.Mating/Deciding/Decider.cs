@@ -52,7 +52,7 @@ internal static class Decider
         var significant = lot?.WorthMm
             ?? (u * Significance.Factor([.. acceptance.Select((a, i) => (a, job.Features[i].Points.Count))], u));
         bool[] alone = [
-            .. points.Select((p, i) => p.Any(b => !acceptance[i].Contains(b.NormalMm) && Math.Abs(b.FollowedMm) > significant))];
+            .. points.Select((p, i) => p.Any(b => !acceptance[i].Contains(b.DecidedMm) && Math.Abs(b.FollowedMm) > significant))];
         var together = lot?.WorthMm is null
             ? Significance.Together(
                 [.. points.Select(f => f.Select(SignificantPoint.Of).ToArray())], alone, u, job.DeviationUncertaintySharedMm)
@@ -110,38 +110,38 @@ internal static class Decider
         bool isAlone,
         bool isTogether)
     {
-        var outside = points.Where(p => !acceptance.Contains(p.NormalMm)).ToArray();
+        var outside = points.Where(p => !acceptance.Contains(p.DecidedMm)).ToArray();
         var decision = outside.Length == 0 ? Decision.WithinTolerance
             : isAlone || isTogether ? Decision.Compensated
             : Decision.NotSignificant;
-        return new(feature.Name, decision, points.Select(p => p.NormalMm).MaxBy(Math.Abs), u, [.. points.Select(Decided)])
+        return new(feature.Name, decision, points.Select(p => p.DecidedMm).MaxBy(Math.Abs), u, [.. points.Select(Decided)])
         {
             Acceptance = acceptance,
             SignificantMm = significant,
             IsSignificantTogether = decision == Decision.Compensated && !isAlone,
         };
 
-        PointDecision Decided(BoundaryPoint point) => new(
-            point,
-            acceptance.ExcessOf(point.NormalMm),
-            decision == Decision.Compensated ? Correction(point, acceptance, compensation) : Vector2.Zero)
+        PointDecision Decided(BoundaryPoint point)
         {
-            ProbabilityBefore = Conformance.Probability(feature.Tolerance.Band, point.NormalMm, u),
-        };
+            var (correction, share) = decision == Decision.Compensated ? Correction(point, acceptance, compensation) : default;
+            return new(point, acceptance.ExcessOf(point.DecidedMm), correction)
+            {
+                Share = share,
+                BaseShare = feature.CorrectsBase ? share : 0,
+                ProbabilityBefore = Conformance.Probability(feature.Tolerance.Band, point.DecidedMm, u),
+            };
+        }
     }
 
-    private static Vector2 Correction(BoundaryPoint point, ToleranceBand band, JobCompensation compensation)
+    // The excess is the same share of the vector as of its normal component.
+    private static (Vector2 Correction, double Share) Correction(BoundaryPoint point, ToleranceBand band, JobCompensation compensation)
     {
-        var normal = point.FollowedMm;
-        var amount = compensation.Amount == CompensationAmount.Whole ? normal : band.ExcessOf(normal);
-        if (compensation.Along == CompensationDirection.Normal)
-        {
-            return point.Normal * (compensation.Gain * amount);
-        }
-
-        // The excess is the same fraction of the vector as of its normal component.
-        var share = compensation.Amount == CompensationAmount.Whole ? 1 : normal == 0 ? 0 : amount / normal;
-        return (point.Displacement - (point.Normal * point.IgnoredMm)) * (compensation.Gain * share);
+        var (followed, isWhole) = (point.FollowedMm, compensation.Amount == CompensationAmount.Whole);
+        var amount = isWhole ? followed : band.ExcessOf(followed);
+        var share = compensation.Gain * (isWhole ? 1 : followed == 0 ? 0 : amount / followed);
+        return compensation.Along == CompensationDirection.Normal
+            ? (point.Normal * (compensation.Gain * amount), share)
+            : ((point.Displacement - (point.Normal * point.IgnoredMm)) * share, share);
     }
 
     private static Refusal Implausible(string feature, BoundaryPoint point, double limit) => RefusalForms.Refusal(

@@ -58,6 +58,14 @@ public sealed record PointDecision(BoundaryPoint Point, double ExcessMm, Vector2
     /// <summary>The probability that the point is within its limits without compensation; null for limits without width.</summary>
     public double? ProbabilityBefore { get; init; }
 
+    /// <summary>The share of <see cref="BoundaryPoint.FollowedMm"/> that is compensated, gain included; 0 if the feature is not
+    /// compensated.</summary>
+    internal double Share { get; init; }
+
+    /// <summary>The share of what the program does differently from the theoretical outline that is corrected: <see cref="Share"/>, or 0
+    /// if the job keeps it.</summary>
+    internal double BaseShare { get; init; }
+
     /// <summary>Signed length of the correction along the point's normal.</summary>
     public double CorrectionNormalMm => Correction.Dot(Point.Normal);
 }

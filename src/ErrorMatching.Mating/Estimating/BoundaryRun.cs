@@ -1,4 +1,5 @@
 using ErrorMatching.Geometry;
+using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
 
 namespace ErrorMatching.Mating;
@@ -19,9 +20,19 @@ internal sealed class BoundaryRun
 
     private readonly BoundaryElement?[] _elements;
 
-    private BoundaryRun(NcPath path, int first, int last, IReadOnlyList<BoundaryElement> elements, bool materialIsLeft, double radius)
+    private readonly RunPath _before;
+
+    private BoundaryRun(
+        NcPath path,
+        int first,
+        int last,
+        IReadOnlyList<FeaturePass> passes,
+        IReadOnlyList<BoundaryElement> elements,
+        bool materialIsLeft,
+        double radius)
     {
-        (Path, First, Last, Elements, MaterialIsLeft, Radius) = (path, first, last, elements, materialIsLeft, radius);
+        (Path, First, Last, Passes, Elements, MaterialIsLeft, Radius) = (path, first, last, passes, elements, materialIsLeft, radius);
+        _before = new(path, first, last);
         _elements = new BoundaryElement?[last - first + 1];
         foreach (var element in elements)
         {
@@ -38,7 +49,10 @@ internal sealed class BoundaryRun
     /// <summary>Its last motion.</summary>
     public int Last { get; }
 
-    /// <summary>Its elements in the order of cutting.</summary>
+    /// <summary>The cuts of features that are estimated with it.</summary>
+    public IReadOnlyList<FeaturePass> Passes { get; }
+
+    /// <summary>Its elements in the order of cutting; none for a pass that is estimated on its own.</summary>
     public IReadOnlyList<BoundaryElement> Elements { get; }
 
     /// <summary>True if the material is left of the path.</summary>
@@ -79,10 +93,10 @@ internal sealed class BoundaryRun
 
     /// <summary>The run of a pass that is estimated on its own.</summary>
     public static BoundaryRun OfPass(NcPath path, FeaturePass pass, double toolDiameterMm) =>
-        Around(path, pass.First, pass.Last, [], pass.Feet[0].MaterialIsLeft, toolDiameterMm);
+        Around(path, pass.First, pass.Last, [pass], [], pass.Feet[0].MaterialIsLeft, toolDiameterMm);
 
     /// <summary>Its cuts on a program.</summary>
-    public RunPath On(NcPath path) => new(path, First, Last);
+    public RunPath On(NcPath path) => ReferenceEquals(path, Path) ? _before : new(path, First, Last);
 
     /// <summary>The nominal boundary at a length along an element, with its normal toward the tool.</summary>
     public (Point2 Place, Vector2 Normal) PlaceAt(BoundaryElement element, double along)
@@ -109,7 +123,9 @@ internal sealed class BoundaryRun
     /// <summary>The share of each element in the way that the boundary moves at a foot, toward the tool.</summary>
     /// <param name="path">The path of the foot.</param>
     /// <param name="foot">The foot.</param>
-    public IEnumerable<(BoundaryElement Element, double AlongMm, double Weight)> SharesAt(NcPath path, RunFoot foot)
+    /// <param name="following">The lines beside its elements that their ends take along on this path.</param>
+    public IEnumerable<(BoundaryElement Element, double AlongMm, double Weight)> SharesAt(
+        NcPath path, RunFoot foot, IReadOnlyList<FollowingLine> following)
     {
         var normal = NormalAt(path, foot.Motion, foot.Fraction);
         var isBeside = Radius == 0 || Math.Abs(foot.Way.Dot(normal)) >= BesideCosine * foot.Way.Length;
@@ -120,7 +136,7 @@ internal sealed class BoundaryRun
 
         if (isBeside && !IsBetween(foot.Motion))
         {
-            return FollowedBy(foot.Motion) is { } followed
+            return FollowedBy(foot.Motion, following) is { } followed
                 ? [(followed.Element, followed.AtStart ? followed.Element.ToMm : followed.Element.FromMm, Share(path, foot, followed))]
                 : [];
         }
@@ -141,12 +157,12 @@ internal sealed class BoundaryRun
         }
 
         var (a, b) = (way.Cross(n2) / n1.Cross(n2), n1.Cross(way) / n1.Cross(n2));
-        if (FollowedBy(before.Value) is { AtStart: false } ahead)
+        if (FollowedBy(before.Value, following) is { AtStart: false } ahead)
         {
             return [(ahead.Element, ahead.Element.FromMm, way.Dot(n2))];
         }
 
-        if (FollowedBy(behind.Value) is { AtStart: true } back)
+        if (FollowedBy(behind.Value, following) is { AtStart: true } back)
         {
             return [(back.Element, back.Element.ToMm, way.Dot(n1))];
         }
@@ -186,30 +202,28 @@ internal sealed class BoundaryRun
         return new(before, behind, Math.Abs(turn) < CornerSine ? 0 : turn > 0 == MaterialIsLeft ? 1 : -1);
     }
 
-    /// <summary>Lines beside the elements that an end of one takes along: the joint moves with the element, and the line tilts about its
-    /// other end.</summary>
-    public IReadOnlyList<FollowingLine> Following { get; set; } = [];
-
     /// <summary>The line beside an end of the elements that hides a key point, because the end slid along it past the point's
     /// foot.</summary>
     /// <param name="nominal">The foot on the program before.</param>
     /// <param name="foot">The foot on the program after.</param>
-    public FollowingLine? HiddenBy(RunFoot nominal, RunFoot foot)
+    /// <param name="following">The lines that follow already.</param>
+    public FollowingLine? HiddenBy(RunFoot nominal, RunFoot foot, IReadOnlyList<FollowingLine> following)
     {
-        if (ElementOf(foot.Motion) is not null || IsBetween(foot.Motion) || FollowedBy(foot.Motion) is not null
+        if (ElementOf(foot.Motion) is not null || IsBetween(foot.Motion) || FollowedBy(foot.Motion, following) is not null
             || Path.Motions[foot.Motion].IsArc || foot.Fraction is <= 0 or >= 1)
         {
             return null;
         }
 
         var (before, behind) = (Neighbor(foot.Motion - 1, -1), Neighbor(foot.Motion + 1, 1));
-        return SharesAt(Path, nominal).Select(s => s.Element).Select(
+        return SharesAt(Path, nominal, following).Select(s => s.Element).Select(
             e => before is { } b && ReferenceEquals(ElementOf(b), e) ? new FollowingLine(foot.Motion, AtStart: true, e)
                 : behind is { } n && ReferenceEquals(ElementOf(n), e) ? new FollowingLine(foot.Motion, AtStart: false, e)
                 : null).FirstOrDefault(f => f is not null);
     }
 
-    private FollowingLine? FollowedBy(int motion) => Following.FirstOrDefault(f => f.Motion == motion);
+    private static FollowingLine? FollowedBy(int motion, IReadOnlyList<FollowingLine> following) =>
+        following.FirstOrDefault(f => f.Motion == motion);
 
     // The line follows in full at the joint and not at all at its other end.
     private double Share(NcPath path, RunFoot foot, FollowingLine followed)
@@ -300,15 +314,27 @@ internal sealed class BoundaryRun
     }
 
     private static BoundaryRun Around(NcPath path, List<BoundaryElement> elements, double toolDiameterMm) => Around(
-        path, elements[0].Pass.First, elements[^1].Pass.Last, [.. elements], elements[0].Pass.Feet[0].MaterialIsLeft, toolDiameterMm);
+        path,
+        elements[0].Pass.First,
+        elements[^1].Pass.Last,
+        [.. elements.Select(e => e.Pass).Distinct()],
+        [.. elements],
+        elements[0].Pass.Feet[0].MaterialIsLeft,
+        toolDiameterMm);
 
     // Under cutter compensation the path is the boundary only along the features.
     private static BoundaryRun Around(
-        NcPath path, int first, int last, BoundaryElement[] elements, bool materialIsLeft, double toolDiameterMm)
+        NcPath path,
+        int first,
+        int last,
+        FeaturePass[] passes,
+        BoundaryElement[] elements,
+        bool materialIsLeft,
+        double toolDiameterMm)
     {
         if ((path.Motions[first].Flags & Compensation) != MotionFlags.None)
         {
-            return new(path, first, last, elements, materialIsLeft, 0);
+            return new(path, first, last, passes, elements, materialIsLeft, 0);
         }
 
         var beside = BesideMm + (2 * toolDiameterMm);
@@ -324,11 +350,84 @@ internal sealed class BoundaryRun
             last++;
         }
 
-        return new(path, first, last, elements, materialIsLeft, toolDiameterMm / 2);
+        return new(path, first, last, passes, elements, materialIsLeft, toolDiameterMm / 2);
     }
 }
 
-/// <summary>A line beside an end of a run's elements that the end takes along.</summary>
+/// <summary>All runs of a program that cut the features of a job. They are known before anything is measured or decided.</summary>
+internal sealed class BoundaryRuns
+{
+    private readonly IReadOnlyList<Point2>[] _theoretical;
+    private readonly Dictionary<FeaturePass, int> _features = new(ReferenceEqualityComparer.Instance);
+    private readonly Dictionary<FeaturePass, BoundaryElement[]> _elements = new(ReferenceEqualityComparer.Instance);
+
+    /// <summary>Finds the runs.</summary>
+    /// <param name="job">The job.</param>
+    /// <param name="path">The counterpart's program, interpreted.</param>
+    /// <param name="maps">The features mapped onto it, in the order of the job.</param>
+    /// <param name="theoretical">The key points as designed.</param>
+    public BoundaryRuns(MatingJob job, NcPath path, IReadOnlyList<FeatureMap> maps, MeasurementFile theoretical)
+    {
+        (Job, Path, Maps) = (job, path, maps);
+        _theoretical = [
+            .. maps.Select(m => (IReadOnlyList<Point2>)[
+                .. m.Feature.Points.Select(l => job.Counterpart.PlaceOf(theoretical[l], m.Feature.Plane, theoretical.File))])];
+        for (var f = 0; f < maps.Count; f++)
+        {
+            foreach (var pass in maps[f].Passes)
+            {
+                _features.Add(pass, f);
+                _elements.Add(
+                    pass, [.. maps[f].Feature.Elements(path, pass).Select(e => e with { FormMm = maps[f].Feature.FormMm })]);
+            }
+        }
+
+        var passes = maps.SelectMany(m => m.Passes);
+        All =
+        [
+            .. passes.Where(p => _elements[p].Length == 0).Select(p => BoundaryRun.OfPass(path, p, job.Counterpart.ToolDiameterMm)),
+            .. passes.SelectMany(p => _elements[p]).GroupBy(e => maps[FeatureOf(e.Pass)].Feature.Plane)
+                .SelectMany(plane => BoundaryRun.Find(path, [.. plane], job.Counterpart.ToolDiameterMm)),
+        ];
+    }
+
+    /// <summary>The job.</summary>
+    public MatingJob Job { get; }
+
+    /// <summary>The program before.</summary>
+    public NcPath Path { get; }
+
+    /// <summary>The features mapped onto it, in the order of the job.</summary>
+    public IReadOnlyList<FeatureMap> Maps { get; }
+
+    /// <summary>The runs.</summary>
+    public IReadOnlyList<BoundaryRun> All { get; }
+
+    /// <summary>Index of the feature that a pass cuts.</summary>
+    public int FeatureOf(FeaturePass pass) => _features[pass];
+
+    /// <summary>The elements of a pass; empty for kinds that are estimated as a whole.</summary>
+    public IReadOnlyList<BoundaryElement> ElementsOf(FeaturePass pass) => _elements[pass];
+
+    /// <summary>A key point as designed, in the program's frame.</summary>
+    public Point2 TheoreticalOf(int feature, int index) => _theoretical[feature][index];
+
+    /// <summary>What the program before does differently from the theoretical outline at a key point, on the first cut of its feature
+    /// (<see cref="BoundaryPoint.BaseMm"/>).</summary>
+    public double BaseMm(int feature, int index)
+    {
+        var pass = Maps[feature].Passes[0];
+        var run = All.First(r => r.Passes.Contains(pass));
+        return BaseMm(run, run.On(Path).FootOf(TheoreticalOf(feature, index), pass.Feet[index].Normal));
+    }
+
+    /// <summary>The same at the foot of a theoretical point. 0 in feedback, where the measured counterpart has it.</summary>
+    public double BaseMm(BoundaryRun run, RunFoot nominal) =>
+        Job.Compensation.From == CompensationSource.Part ? nominal.DistanceMm - run.Radius : 0;
+}
+
+/// <summary>A line beside an end of a run's elements that the end takes along: the joint moves with the element, and the line tilts about
+/// its other end.</summary>
 /// <param name="Motion">Position of the line in the path.</param>
 /// <param name="AtStart">True if the line begins at the end of the element; false if it ends at the start of it.</param>
 /// <param name="Element">The element.</param>

@@ -1,5 +1,4 @@
 using ErrorMatching.Geometry;
-using ErrorMatching.Measurement;
 using ErrorMatching.Nc;
 using ErrorMatching.Refusals;
 
@@ -13,262 +12,150 @@ internal sealed class CourseEstimator
     // Each round makes the program once. The second already measures below a micrometer.
     private const int Rounds = 4;
 
-    private readonly MatingJob _job;
-    private readonly NcPath _path;
-    private readonly IReadOnlyList<FeatureMap> _maps;
+    private readonly BoundaryRuns _runs;
     private readonly MatingDecision _decision;
-    private readonly IReadOnlyList<Point2>[] _theoretical;
-    private readonly List<RunEstimate> _runs = [];
-    private readonly Dictionary<BoundaryElement, int> _features = new(ReferenceEqualityComparer.Instance);
-    private readonly Dictionary<FeaturePass, List<BoundaryElement>> _elements = new(ReferenceEqualityComparer.Instance);
+    private readonly MeasuredRun[] _measured;
 
     /// <summary>Prepares the estimate.</summary>
-    /// <param name="job">The job.</param>
-    /// <param name="path">The counterpart's program, interpreted.</param>
-    /// <param name="maps">The features mapped onto it, in the order of the job.</param>
-    /// <param name="decision">The decisions on the features.</param>
-    /// <param name="theoretical">The key points as designed.</param>
-    public CourseEstimator(
-        MatingJob job, NcPath path, IReadOnlyList<FeatureMap> maps, MatingDecision decision, MeasurementFile theoretical)
+    /// <param name="runs">The runs of cuts.</param>
+    /// <param name="decision">The decisions on their features.</param>
+    public CourseEstimator(BoundaryRuns runs, MatingDecision decision)
     {
-        (_job, _path, _maps, _decision) = (job, path, maps, decision);
-        _theoretical = [
-            .. maps.Select(m => (IReadOnlyList<Point2>)[
-                .. m.Feature.Points.Select(l => job.Counterpart.PlaceOf(theoretical[l], m.Feature.Plane, theoretical.File))])];
-        for (var f = 0; f < maps.Count; f++)
-        {
-            foreach (var pass in maps[f].Passes)
-            {
-                _elements[pass] = [.. maps[f].Feature.Elements(path, pass).Select(e => e with { FormMm = maps[f].Feature.FormMm })];
-                foreach (var element in _elements[pass])
-                {
-                    _features.Add(element, f);
-                }
-            }
-        }
-
+        (_runs, _decision) = (runs, decision);
         var u = decision.Features[0].StandardUncertaintyMm;
-        for (var f = 0; f < maps.Count; f++)
-        {
-            foreach (var pass in maps[f].Passes.Where(p => _elements[p].Count == 0))
-            {
-                var run = BoundaryRun.OfPass(path, pass, job.Counterpart.ToolDiameterMm);
-                _runs.Add(new(run, [.. PointsOf(pass, f)], u));
-            }
-        }
-
-        foreach (var plane in _features.Keys.Select(e => maps[_features[e]].Feature.Plane).Distinct())
-        {
-            BoundaryElement[] elements = [.. _features.Keys.Where(e => maps[_features[e]].Feature.Plane == plane)];
-            foreach (var run in BoundaryRun.Find(path, elements, job.Counterpart.ToolDiameterMm))
-            {
-                _runs.Add(new(run, [.. PointsOf(run)], u));
-            }
-        }
+        _measured = [.. runs.All.Select(run => MeasuredRun.Of(run, [.. run.Passes.SelectMany(pass => PointsOf(run, pass))], u))];
     }
 
     /// <summary>Estimates the courses of all compensated features, at least one.</summary>
     /// <returns>The estimate, or why a feature cannot follow its corrections.</returns>
     public Outcome<CourseEstimate> Estimate()
     {
-        var (best, least) = ((CourseEstimate?)null, double.PositiveInfinity);
-        var states = _runs.Select(r => r.State).ToArray();
-        _runs.ForEach(r => r.Compare(_path, isWhole: false));
+        RunComparison[] compared = [.. _measured.Select(r => RunCourse.Still(r).Compare(_runs.Path))];
+        CourseEstimate? best = null;
         for (var round = 0; round < Rounds; round++)
         {
-            var outcome = Made();
-            if (!outcome.IsUsable && best is null)
-            {
-                Restore(states);
-                return outcome.Refusal;
-            }
-
+            var outcome = Made([.. compared.Select(c => c.Follow(e => IsCompensated(_runs.FeatureOf(e.Pass))))]);
             if (!outcome.IsUsable)
             {
-                break;
+                return best is null ? outcome : best;
             }
 
             // A correction that makes it worse ends the rounds: far off its corner, a point says nothing that a straight line could extend.
-            var made = _runs.Select(r => r.State).ToArray();
-            var isSettled = true;
-            _runs.ForEach(r => isSettled &= r.Compare(outcome.Result.After, isWhole: false));
-            var left = _runs.Max(r => r.LeftMm);
-            var isWorse = left > least;
-            if (!isWorse)
-            {
-                (best, least, states) = (outcome.Result, left, made);
-            }
-
-            if (isSettled || isWorse)
+            if (outcome.Result.LeftMm > best?.LeftMm)
             {
                 break;
             }
+
+            best = outcome.Result;
+            if (best.Left.All(l => l.IsSettled))
+            {
+                break;
+            }
+
+            compared = best.Left;
         }
 
-        Restore(states);
         return best!;
     }
 
-    // What the cuts follow on the path that is predicted next.
-    private void Restore((IReadOnlyList<ElementCut>, IReadOnlyList<FollowingLine>)[] states)
+    private Outcome<CourseEstimate> Made(RunCourse[] courses)
     {
-        for (var r = 0; r < _runs.Count; r++)
-        {
-            _runs[r].State = states[r];
-        }
-    }
-
-    private Outcome<CourseEstimate> Made()
-    {
-        foreach (var run in _runs)
-        {
-            run.Solve(isWhole: false);
-            run.Follow(e => IsCompensated(_features[e]));
-        }
-
-        if (Wishes(out var wish) is { } cannotFollow)
+        if (Wishes(courses, out var wish) is { } cannotFollow)
         {
             return cannotFollow;
         }
 
-        var rewrite = Rewriter.Apply(_path, wish);
-        return !rewrite.IsUsable ? rewrite.Refusal
-            : new CourseEstimate(
-                wish,
-                rewrite.Result,
-                rewrite.Result.Patches.Count == 0 ? _path : NcInterpreter.Run(rewrite.Result.Program, _path));
-    }
-
-    /// <summary>Estimates the boundary of the measured piece itself, from what its points say on a program.</summary>
-    /// <param name="after">The program to cut: the original one, or that of the estimate.</param>
-    public PieceEstimate Measure(NcPath after)
-    {
-        foreach (var run in _runs)
+        var rewrite = Rewriter.Apply(_runs.Path, wish);
+        if (!rewrite.IsUsable)
         {
-            run.Compare(after, isWhole: true);
-            run.Solve(isWhole: true);
+            return rewrite.Refusal;
         }
 
-        return new(_job, _path, _maps, _runs, _elements);
+        var after = rewrite.Result.Patches.Count == 0 ? _runs.Path : NcInterpreter.Run(rewrite.Result.Program, _runs.Path);
+        return new CourseEstimate(wish, rewrite.Result, [.. courses.Select(c => c.Compare(after))]);
     }
 
-    /// <summary>The features of the job.</summary>
-    public IReadOnlyList<JobFeature> Features => _job.Features;
+    /// <summary>Estimates the boundary of the measured piece itself, on the program before.</summary>
+    public PieceEstimate Measure() => new(_runs, [.. _measured.Select(r => RunCourse.Still(r).Measure(_runs.Path))]);
 
-    /// <summary>What the program before does differently from the theoretical outline at a key point, mm: positive where it leaves too much
-    /// material. 0 in feedback.</summary>
-    public double BaseMm(int feature, int index)
-    {
-        var (run, point) = PointOf(feature, index);
-        return run.BaseMm(point);
-    }
-
-    // On the first cut of its feature.
-    private (RunEstimate Run, int Point) PointOf(int feature, int index)
-    {
-        foreach (var run in _runs)
-        {
-            for (var p = 0; p < run.Points.Count; p++)
-            {
-                if (run.Points[p].Feature == feature && run.Points[p].Index == index
-                    && ReferenceEquals(run.Points[p].Own?.Pass, _maps[feature].Passes[0]))
-                {
-                    return (run, p);
-                }
-            }
-        }
-
-        throw new ArgumentException("The point is on no run.", nameof(index));
-    }
-
-    /// <summary>The runs of cuts that are estimated.</summary>
-    public IReadOnlyList<RunEstimate> Runs => _runs;
+    /// <summary>Estimates the boundary of the measured piece itself, on a corrected program.</summary>
+    /// <param name="course">The estimate that the program follows.</param>
+    /// <param name="after">The program.</param>
+    public PieceEstimate Measure(CourseEstimate course, NcPath after) =>
+        new(_runs, [.. course.Left.Select(l => l.Measure(after))]);
 
     private bool IsCompensated(int feature) => _decision.Features[feature].Decision == Decision.Compensated;
 
-    private IEnumerable<RunPoint> PointsOf(BoundaryRun run) =>
-        run.Elements.Select(e => e.Pass).Distinct().SelectMany(pass => PointsOf(pass, _features[_elements[pass][0]]));
-
-    private IEnumerable<RunPoint> PointsOf(FeaturePass pass, int feature)
+    private IEnumerable<RunPoint> PointsOf(BoundaryRun run, FeaturePass pass)
     {
+        var (counterpart, feature) = (_runs.Job.Counterpart, _runs.FeatureOf(pass));
         for (var i = 0; i < pass.Feet.Count; i++)
         {
             var decided = _decision.Features[feature].Points[i];
-            var (deviation, normal) = (_job.Counterpart.Frame.Apply(decided.Point.FromTheoretical), pass.Feet[i].Normal);
-            var followed = deviation - _job.Counterpart.Frame.Apply(decided.Point.Normal * decided.Point.IgnoredMm);
+            var (way, normal) = (counterpart.Frame.Apply(decided.Point.FromTheoretical), pass.Feet[i].Normal);
+            var followed = way - counterpart.Frame.Apply(decided.Point.Normal * decided.Point.IgnoredMm);
             (BoundaryElement, double)? beside = null;
-            if (_job.Compensation.From == CompensationSource.Counterpart)
+            if (_runs.Job.Compensation.From == CompensationSource.Counterpart)
             {
                 // What two measured points differ by along the boundary says nothing. On a corner, neither of them is where the program
-                // before has its vertex, so the point counts for its own element alone.
-                if (pass.Feet[i].OnCorner && _elements[pass].Find(e => e.Contains(pass.Feet[i].Motion)) is { } element)
+                // before has its vertex, so the point speaks of its own element alone.
+                if (pass.Feet[i].OnCorner
+                    && _runs.ElementsOf(pass).FirstOrDefault(e => e.Contains(pass.Feet[i].Motion)) is { } element)
                 {
-                    var left = _path.Motions[pass.Feet[i].Motion].TangentAt(pass.Feet[i].Fraction).Left;
+                    var left = _runs.Path.Motions[pass.Feet[i].Motion].TangentAt(pass.Feet[i].Fraction).Left;
                     normal = pass.Feet[i].MaterialIsLeft ? -left : left;
                     beside = (element, pass.Along(pass.Feet[i]));
                 }
 
-                (deviation, followed) = (normal * deviation.Dot(normal), normal * followed.Dot(normal));
+                (way, followed) = (normal * way.Dot(normal), normal * followed.Dot(normal));
             }
 
-            yield return new(
-                feature,
-                i,
-                _theoretical[feature][i],
-                deviation,
-                IsCompensated(feature) ? followed * ShareOf(decided, _decision.Features[feature].Acceptance) : deviation,
-                normal)
+            var theoretical = _runs.TheoreticalOf(feature, i);
+            var nominal = run.On(_runs.Path).FootOf(theoretical, normal);
+            var baseMm = _runs.BaseMm(run, nominal);
+            yield return new(feature, i, theoretical, way, IsCompensated(feature) ? followed * decided.Share : way, normal)
             {
-                Beside = beside,
+                Nominal = nominal,
                 Own = (pass, pass.Feet[i]),
+                Beside = beside,
                 GapMm = decided.Point.GapMm,
-                CountsBase = _job.Compensation.From == CompensationSource.Part,
-                BaseShare = _maps[feature].Feature.CorrectsBase && IsCompensated(feature)
-                    ? ShareOf(decided, _decision.Features[feature].Acceptance)
-                    : 0,
+                BaseMm = baseMm,
+                CorrectedBaseMm = decided.BaseShare * baseMm,
                 IgnoredMm = decided.Point.IgnoredMm,
             };
         }
     }
 
-    // The part of the deviation at a point that is compensated.
-    private double ShareOf(PointDecision decided, ToleranceBand acceptance)
-    {
-        var normal = decided.Point.FollowedMm;
-        return _job.Compensation.Gain
-            * (_job.Compensation.Amount == CompensationAmount.Whole ? 1 : normal == 0 ? 0 : acceptance.ExcessOf(normal) / normal);
-    }
-
-    private Refusal? Wishes(out DisplacementWish wish)
+    private Refusal? Wishes(RunCourse[] courses, out DisplacementWish wish)
     {
         var elements = new List<ElementWish>();
         wish = DisplacementWish.OfElements([]);
-        for (var f = 0; f < _maps.Count; f++)
+        for (var f = 0; f < _runs.Maps.Count; f++)
         {
             if (!IsCompensated(f))
             {
                 continue;
             }
 
-            Vector2[] corrections = [.. _decision.Features[f].Points.Select(p => _job.Counterpart.Frame.Apply(p.Correction))];
-            foreach (var pass in _maps[f].Passes)
+            Vector2[] corrections = [.. _decision.Features[f].Points.Select(p => _runs.Job.Counterpart.Frame.Apply(p.Correction))];
+            foreach (var pass in _runs.Maps[f].Passes)
             {
-                var cut = new FeatureCut(_path, pass, corrections)
+                var cut = new FeatureCut(_runs.Path, pass, corrections)
                 {
-                    Elements = _elements[pass],
-                    Courses = [.. _elements[pass].Select(e => CourseOf(e, corrections))],
-                    ToolDiameterMm = _job.Counterpart.ToolDiameterMm,
+                    Elements = _runs.ElementsOf(pass),
+                    Courses = [.. _runs.ElementsOf(pass).Select(e => CourseOf(courses, e))],
+                    ToolDiameterMm = _runs.Job.Counterpart.ToolDiameterMm,
                 };
-                if (_maps[f].Feature.RefuseCut(cut) is { } cannotFollow)
+                if (_runs.Maps[f].Feature.RefuseCut(cut) is { } cannotFollow)
                 {
                     return cannotFollow;
                 }
 
-                elements.AddRange(_maps[f].Feature.Wishes(cut));
+                elements.AddRange(_runs.Maps[f].Feature.Wishes(cut));
             }
         }
 
-        foreach (var lines in _runs.SelectMany(r => r.Run.Following).GroupBy(f => f.Motion))
+        foreach (var lines in courses.SelectMany(c => c.Following).GroupBy(f => f.Motion))
         {
             var (start, end) = (EndOf(lines.FirstOrDefault(l => l.AtStart)), EndOf(lines.FirstOrDefault(l => !l.AtStart)));
             elements.Add(new(lines.Key, start, (start + end) / 2, end));
@@ -283,28 +170,28 @@ internal sealed class CourseEstimator
     }
 
     // The displacement at a length for the left normal there: along it, or both components of the vector, as the job asks.
-    private Func<double, Vector2, Vector2> CourseOf(BoundaryElement element, Vector2[] corrections)
+    private Func<double, Vector2, Vector2> CourseOf(RunCourse[] courses, BoundaryElement element)
     {
-        var run = _runs.First(r => r.Run.Elements.Contains(element));
-        if (_job.Compensation.Along == CompensationDirection.Normal)
+        var course = courses.First(c => c.Measured.Run.Elements.Contains(element));
+        if (_runs.Job.Compensation.Along == CompensationDirection.Normal)
         {
-            var (cut, left) = (run.CutOf(element), run.Run.MaterialIsLeft ? -1 : 1);
+            var (cut, left) = (course.CutOf(element), course.Measured.Run.MaterialIsLeft ? -1 : 1);
             return (along, normal) => normal * (left * cut.At(along));
         }
 
-        var (x, y) = (Component(run, element, c => c.X), Component(run, element, c => c.Y));
+        var (x, y) = (Component(course.Measured, element, c => c.X), Component(course.Measured, element, c => c.Y));
         return (along, _) => new(x.At(along), y.At(along));
     }
 
     // One component of the corrections at the points of an element.
-    private ElementCut Component(RunEstimate run, BoundaryElement element, Func<Vector2, double> component)
+    private ElementCut Component(MeasuredRun run, BoundaryElement element, Func<Vector2, double> component)
     {
         BoundaryElement[] elements = [element];
         BoundaryRow[] rows = [
-            .. run.Points.Where(p => p.Feature == _features[element]).Select(p => (Point: p, Foot: element.Pass.Feet[p.Index]))
+            .. run.Points.Where(p => p.Feature == _runs.FeatureOf(element.Pass)).Select(p => (Point: p, Foot: element.Pass.Feet[p.Index]))
                 .Where(p => element.Contains(p.Foot.Motion))
-                .Select(p => new BoundaryRow([new(0, element.Pass.Along(p.Foot), 1)], component(p.Point.Wanted)))];
-        var u = _job.Gauge.Uncertainty.CombinedMm;
+                .Select(p => new BoundaryRow([new(0, element.Pass.Along(p.Foot), 1)], component(p.Point.Target)))];
+        var u = _runs.Job.Gauge.Uncertainty.CombinedMm;
         var field = new DeviationField(PriorChoice.Of(elements, rows, u).OfCuts, rows, u);
         return ElementCut.Following(element, along => field.Mean(0, along));
     }
@@ -312,16 +199,16 @@ internal sealed class CourseEstimator
     // The limit applies between and beyond the points too: a course that swings out there follows no measurement.
     private Refusal? BeyondLimit(DisplacementWish wish)
     {
-        var limit = _job.Compensation.LimitMm * Math.Max(1, _job.Compensation.Gain);
+        var limit = _runs.Job.Compensation.LimitMm * Math.Max(1, _runs.Job.Compensation.Gain);
         var worst = wish.Elements.MaxBy(Largest);
         if (wish.Elements.Count == 0 || Largest(worst) <= limit)
         {
             return null;
         }
 
-        var block = _path.Motions[worst.Motion].Block;
-        var name = _path.Program.NameOf(_path.Program[block]);
-        var feature = _maps.FirstOrDefault(m => m.Blocks.Contains(block))?.Feature.Name ?? "";
+        var block = _runs.Path.Motions[worst.Motion].Block;
+        var name = _runs.Path.Program.NameOf(_runs.Path.Program[block]);
+        var feature = _runs.Maps.FirstOrDefault(m => m.Blocks.Contains(block))?.Feature.Name ?? "";
         return RefusalForms.Refusal(
             RefusalForms.ImplausibleCourse,
             new() { Feature = feature, Block = name, Line = block + 1 },
@@ -337,5 +224,153 @@ internal sealed class CourseEstimator
 /// <summary>The estimate of a whole boundary, and the program that follows it.</summary>
 /// <param name="Wish">The wish for each motion that cuts a compensated feature.</param>
 /// <param name="Rewrite">The changes that follow it.</param>
-/// <param name="After">The changed program, interpreted, without a marker.</param>
-internal sealed record CourseEstimate(DisplacementWish Wish, Rewrite Rewrite, NcPath After);
+/// <param name="Left">What the changed program, without a marker, leaves on each run.</param>
+internal sealed record CourseEstimate(DisplacementWish Wish, Rewrite Rewrite, RunComparison[] Left)
+{
+    /// <summary>Largest root mean square of what is left on a run, mm.</summary>
+    public double LeftMm { get; } = Left.Max(l => l.LeftMm);
+}
+
+/// <summary>What the cuts of a run follow.</summary>
+/// <param name="Measured">The run with its key points.</param>
+/// <param name="Cuts">The displacement of each element.</param>
+/// <param name="Following">Lines beside the elements that the end of one takes along.</param>
+/// <param name="From">The comparison that it was solved from; null for cuts that stay where they are.</param>
+internal sealed record RunCourse(
+    MeasuredRun Measured, IReadOnlyList<ElementCut> Cuts, IReadOnlyList<FollowingLine> Following, RunComparison? From)
+{
+    // What the rounding of a program's words does to a distance, mm. It says nothing about the piece.
+    private const double Rounding = 0.001;
+
+    /// <summary>The program before.</summary>
+    public static RunCourse Still(MeasuredRun measured) =>
+        new(measured, [.. measured.Run.Elements.Select(_ => ElementCut.Still)], [], null);
+
+    /// <summary>The cut of an element.</summary>
+    public ElementCut CutOf(BoundaryElement element)
+    {
+        for (var e = 0; e < Cuts.Count; e++)
+        {
+            if (ReferenceEquals(Measured.Run.Elements[e], element))
+            {
+                return Cuts[e];
+            }
+        }
+
+        throw new ArgumentException("The element is not of this run.", nameof(element));
+    }
+
+    /// <summary>Compares the places where the corrected program is to have the boundary with a program, exactly.</summary>
+    /// <param name="path">The program whose cuts have this course.</param>
+    public RunComparison Compare(NcPath path)
+    {
+        var (cuts, following, isSettled, squares) = (Measured.Run.On(path), Following.ToList(), true, 0.0);
+        var rows = new BoundaryRow?[Measured.Points.Count];
+        for (var i = 0; i < rows.Length; i++)
+        {
+            var point = Measured.Points[i];
+            rows[i] = Measured.RowBeside(point, point.Target);
+            if (rows[i] is not null)
+            {
+                continue;
+            }
+
+            var foot = cuts.FootOf(point.Theoretical + point.Target, point.Normal);
+            if (Measured.Run.HiddenBy(point.Nominal, foot, Following) is { } line && !following.Contains(line))
+            {
+                following.Add(line);
+            }
+
+            var off = foot.DistanceMm - point.Nominal.DistanceMm + point.CorrectedBaseMm;
+            squares += off * off;
+            rows[i] = RowAt(path, foot, off, (e, along) => CutOf(e).At(along) + Measured.BaseAt(e, along).CorrectedBaseMm);
+            if (Agree(rows[i], From?.Rows[i]))
+            {
+                rows[i] = From?.Rows[i];
+            }
+            else
+            {
+                isSettled = false;
+            }
+        }
+
+        return new(this, rows, following)
+        {
+            Priors = From?.Priors ?? Measured.PriorsOf(rows),
+            LeftMm = Math.Sqrt(squares / Math.Max(1, rows.Length)),
+            IsSettled = isSettled && following.Count == Following.Count,
+        };
+    }
+
+    /// <summary>Estimates the boundary of the measured piece from the measured places themselves.</summary>
+    /// <param name="path">The program whose cuts have this course.</param>
+    /// <param name="left">What was found when the course was compared with it; null if it was not.</param>
+    public RunEstimate Measure(NcPath path, RunComparison? left = null)
+    {
+        var cuts = Measured.Run.On(path);
+        BoundaryRow?[] rows = [
+            .. Measured.Points.Select((point, i) =>
+            {
+                if (Measured.RowBeside(point, point.FromTheoretical) is { } beside)
+                {
+                    return beside;
+                }
+
+                var foot = cuts.FootOf(point.Theoretical + point.FromTheoretical, point.Normal);
+                var row = RowAt(path, foot, foot.DistanceMm - point.Nominal.DistanceMm, (e, along) => CutOf(e).At(along));
+                return Agree(row, left?.Rows[i]) ? left?.Rows[i] : row;
+            })];
+        return new(Measured, rows, Following, (left?.Priors ?? Measured.PriorsOf(rows)).OfPiece);
+    }
+
+    // What a foot says of the boundary: what its elements are displaced already, less what is still off.
+    private BoundaryRow? RowAt(NcPath path, RunFoot foot, double offMm, Func<BoundaryElement, double, double> displacedMm)
+    {
+        var shares = Measured.Run.SharesAt(path, foot, Following).ToArray();
+        return shares.Length == 0 ? null : new(
+            [.. shares.Select(s => Measured.TermOf(s.Element, s.AlongMm, s.Weight))],
+            shares.Sum(s => s.Weight * displacedMm(s.Element, s.AlongMm)) - offMm);
+    }
+
+    private static bool Agree(BoundaryRow? one, BoundaryRow? other) => one is null || other is null
+        ? ReferenceEquals(one, other)
+        : Math.Abs(one.ValueMm - other.ValueMm) <= Rounding
+            && one.Terms.Select(t => t.Stretch).SequenceEqual(other.Terms.Select(t => t.Stretch));
+}
+
+/// <summary>What the key points of a run ask for, compared with what a program cuts there.</summary>
+/// <param name="Course">What the cuts of the program follow.</param>
+/// <param name="Rows">What each key point says of its elements, the displacement that the cuts have already included; null for a point that
+/// says nothing. A row that differs from the one of the comparison before by rounding alone stays as it was.</param>
+/// <param name="Following">Lines beside the elements that must follow, because they hide a key point.</param>
+internal sealed record RunComparison(RunCourse Course, IReadOnlyList<BoundaryRow?> Rows, IReadOnlyList<FollowingLine> Following)
+{
+    /// <summary>What is assumed about the stretches; chosen by the first comparison.</summary>
+    public required (DeviationPrior[] OfCuts, DeviationPrior[] OfPiece) Priors { get; init; }
+
+    /// <summary>Root mean square of what the cuts are off, mm.</summary>
+    public required double LeftMm { get; init; }
+
+    /// <summary>True if it says nothing new.</summary>
+    public required bool IsSettled { get; init; }
+
+    /// <summary>Estimates the boundary of the measured piece itself.</summary>
+    /// <param name="path">The compared program.</param>
+    public RunEstimate Measure(NcPath path) => Course.Measure(path, this);
+
+    /// <summary>Lets the cuts of compensated elements follow the deviations that it shows.</summary>
+    public RunCourse Follow(Func<BoundaryElement, bool> isCompensated)
+    {
+        var measured = Course.Measured;
+        var field = new DeviationField(Priors.OfCuts, [.. Rows.OfType<BoundaryRow>()], measured.UncertaintyMm);
+        return new(
+            measured,
+            [
+                .. measured.Run.Elements.Select(element => isCompensated(element)
+                    ? ElementCut.Following(
+                        element, along => measured.MeanAt(field, element, along) - measured.BaseAt(element, along).CorrectedBaseMm)
+                    : ElementCut.Still)],
+            Following,
+            this);
+    }
+}

@@ -87,7 +87,7 @@ internal sealed record WholeShape
     {
         var whole = new BoundaryElement(pass, pass.First, pass.Last, ElementForm.Free);
         return Estimate(
-            [.. run.Points.Select((p, i) => (p.Theoretical, p.Normal, p.Deviation.Dot(p.Normal) - run.BaseMm(i)))],
+            [.. run.Points.Select(p => (p.Theoretical, p.Normal, p.FromTheoretical.Dot(p.Normal) - p.BaseMm))],
             [.. FeaturePass.Moving(path, pass.First, pass.Last).Select(i => path.Motions[i]).Where(m => !m.IsArc).Select(m => m.Segment)],
             run.UncertaintyMm,
             run.Run.Radius) with

@@ -49,37 +49,33 @@ public static class Matcher
             lot = following.Result;
         }
 
-        var points = BoundaryPoints(input, maps, part, counterpart, lot);
-        var decision = Decider.Decide(job, points, lot);
-        if (job.Features.Any(f => f.CorrectsBase) && lot is null)
-        {
-            // Where the program cuts is seen on the runs of its cuts, which only a decision brings together with the points.
-            points = WithBase(points, new CourseEstimator(job, path, maps, decision, input.Theoretical));
-            decision = Decider.Decide(job, points);
-        }
-
+        var runs = new BoundaryRuns(job, path, maps, input.Theoretical);
+        var decision = Decider.Decide(job, BoundaryPoints(input, runs, part, counterpart, lot), lot);
         if (!decision.IsUsable)
         {
             return Outcome.Refused<MatchResult>(decision.Refusals);
         }
 
-        var known = new Known(input, path, maps, part, counterpart, lot, decision);
+        var known = new Known(input, runs, part, counterpart, lot, decision);
         return decision.Compensates ? Compensate(known) : Unchanged(known);
     }
 
     // What is known before anything is corrected.
     private sealed record Known(
         MatchInput Input,
-        NcPath Path,
-        IReadOnlyList<FeatureMap> Maps,
+        BoundaryRuns Runs,
         AlignedMeasurement Part,
         AlignedMeasurement? Counterpart,
         CounterpartLot? Lot,
         MatingDecision Decision)
     {
+        public NcPath Path => Runs.Path;
+
+        public IReadOnlyList<FeatureMap> Maps => Runs.Maps;
+
         public Marker Marker => new(Input.Compensated.Sha256, Path.Sha256);
 
-        public CourseEstimator Estimator() => new(Input.Job, Path, Maps, Decision, Input.Theoretical);
+        public CourseEstimator Estimator() => new(Runs, Decision);
 
         public OffsetChooser Chooser(PieceEstimate piece, NcPath? after) => new(
             Input.Job, Path, Maps, Decision, piece, after, OffsetsBefore(Input), OffsetsFile(Input, Path), Marker);
@@ -148,23 +144,28 @@ public static class Matcher
 
     private static List<IReadOnlyList<BoundaryPoint>> BoundaryPoints(
         MatchInput input,
-        IReadOnlyList<FeatureMap> maps,
+        BoundaryRuns runs,
         AlignedMeasurement part,
         AlignedMeasurement? counterpart,
         CounterpartLot? lot)
     {
         var number = 0;
-        var isFollowed = lot?.Next is null ? null : PartIsFollowed(input, maps, part);
-        return [.. maps.Select((map, f) => (IReadOnlyList<BoundaryPoint>)[.. map.Feature.Points.Select((label, i) =>
+        var isFollowed = lot?.Next is null ? null : PartIsFollowed(input, runs.Maps, part);
+        return [.. runs.Maps.Select((map, f) => (IReadOnlyList<BoundaryPoint>)[.. map.Feature.Points.Select((label, i) =>
         {
             var design = ProjectedPoint.Of(input.Theoretical[label], map.Feature.Plane, input.Theoretical.File).Position;
             var present = lot is null ? design
                 : lot.ExpectedMm(number++) is { } expected ? design + (expected * map.Normals[i])
                 : counterpart!.Points[label];
             var gap = map.Feature.GapMm;
+
+            // Where the program cuts elsewhere than it should, and the job wants that corrected.
+            var baseMm = map.Feature.CorrectsBase ? runs.BaseMm(f, i) : 0;
+            present += baseMm * map.Normals[i];
             return new BoundaryPoint(label, present, part.Points[label] - (gap * map.Normals[i]), map.Normals[i])
             {
                 GapMm = gap,
+                BaseMm = baseMm,
                 IgnoredMm = isFollowed?[f] ?? true ? 0 : (part.Points[label] - design).Dot(map.Normals[i]),
             };
         })])];
@@ -184,17 +185,6 @@ public static class Matcher
         return Significance.Together(features, alone, u, input.Job.Gauge.Uncertainty.SharedMm);
     }
 
-    // The program begins where it cuts, not where it should.
-    private static List<IReadOnlyList<BoundaryPoint>> WithBase(
-        List<IReadOnlyList<BoundaryPoint>> points, CourseEstimator estimator) =>
-    [
-        .. points.Select((feature, f) => !estimator.Features[f].CorrectsBase ? feature : [
-            .. feature.Select((p, i) => estimator.BaseMm(f, i) is var mm ? p with
-            {
-                Present = p.Present + (mm * p.Normal),
-                BaseMm = mm,
-            } : p)])];
-
     private static Outcome<MatchResult> Compensate(Known known)
     {
         var (path, job) = (known.Path, known.Input.Job);
@@ -203,7 +193,7 @@ public static class Matcher
         if (!outcome.IsUsable)
         {
             // An offset that brings the boundary to where it should be may do what blocks cannot.
-            return ByOffset(known, estimator.Measure(path)) ?? Named(outcome.Refusal, known.Maps);
+            return ByOffset(known, estimator.Measure()) ?? Named(outcome.Refusal, known.Maps);
         }
 
         var (wish, rewrite) = (outcome.Result.Wish, outcome.Result.Rewrite);
@@ -222,7 +212,7 @@ public static class Matcher
         }
 
         var after = NcInterpreter.Run(program, path);
-        var piece = estimator.Measure(after);
+        var piece = estimator.Measure(outcome.Result, after);
         CorrectionChoice? correction = null;
         if (job.Correction.AllowsOffsets)
         {
@@ -239,7 +229,7 @@ public static class Matcher
             }
         }
 
-        var result = known.Result(piece, r => r.OnCuts(after), after, proof, outcome.Result, marker);
+        var result = known.Result(piece, r => r.Run.On(after), after, proof, outcome.Result, marker);
         return result with { Lot = After(known.Lot, result.Prediction), Correction = correction };
     }
 
@@ -281,8 +271,8 @@ public static class Matcher
 
     private static Outcome<MatchResult> Unchanged(Known known)
     {
-        var piece = known.Estimator().Measure(known.Path);
+        var piece = known.Estimator().Measure();
         var correction = known.Input.Job.Correction.AllowsOffsets ? known.Chooser(piece, known.Path).Choose(compensates: false) : null;
-        return known.Original(piece, r => r.OnCuts(known.Path)) with { Lot = known.Lot, Correction = correction };
+        return known.Original(piece, r => r.Run.On(known.Path)) with { Lot = known.Lot, Correction = correction };
     }
 }

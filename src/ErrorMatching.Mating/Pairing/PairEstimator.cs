@@ -111,7 +111,7 @@ internal sealed class PairEstimator
             return;
         }
 
-        _factors.Add(JointFactor.Factor(_places.Count, run.Field!.Together([.. places.Select(p => p.Terms)])));
+        _factors.Add(JointFactor.Factor(_places.Count, run.Field.Together([.. places.Select(p => p.Terms)])));
         foreach (var place in places)
         {
             var beyond = place.GapMm - place.KeptMm - place.ResidualMm;

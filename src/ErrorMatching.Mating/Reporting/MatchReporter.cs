@@ -201,7 +201,7 @@ public static class MatchReporter
                 InProgram = job.Counterpart.Frame.Apply(theoretical[i]),
                 Normal = map.Normals[i],
                 Correction = job.Counterpart.Frame.Apply(point.Correction),
-                DecidedMm = point.Point.NormalMm,
+                DecidedMm = point.Point.DecidedMm,
                 ExcessMm = point.ExcessMm,
                 ProbabilityBefore = point.ProbabilityBefore,
                 ProbabilityAfter = ProbabilityAfter(map, predicted),

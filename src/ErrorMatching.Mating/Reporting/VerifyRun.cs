@@ -94,8 +94,9 @@ public static class VerifyRun
             {
                 GapMm = map.Feature.GapMm,
             })]).ToArray();
-        var piece = new CourseEstimator(job, path, maps, Decider.Decide(job, points), input.Theoretical).Measure(path);
-        return PairEstimator.Estimate(job, path, maps, piece, r => r.OnCuts(path));
+        var runs = new BoundaryRuns(job, path, maps, input.Theoretical);
+        var piece = new CourseEstimator(runs, Decider.Decide(job, points)).Measure();
+        return PairEstimator.Estimate(job, path, maps, piece, r => r.Run.On(path));
     }
 
     private static VerifiedBoundary Boundary(VerifyInput input, NcPath path, FeatureMap map)

@@ -186,7 +186,7 @@ public sealed class DeciderTests
             var points = Decide([a, b], $"\"amount\": \"{(whole ? "whole" : "excess")}\"").Features[0].Points;
             return points.All(p =>
             {
-                var (c, d) = (p.CorrectionNormalMm, p.Point.NormalMm);
+                var (c, d) = (p.CorrectionNormalMm, p.Point.DecidedMm);
                 return Math.Abs(c) <= Math.Abs(d) + 1e-12 && c * d >= -1e-12 && (p.Correction - (Normal * c)).Length < 1e-12;
             });
         }));

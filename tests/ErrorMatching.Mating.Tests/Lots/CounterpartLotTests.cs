@@ -83,7 +83,7 @@ public sealed class CounterpartLotTests(ITestOutputHelper output)
         Assert.All(outcome.Decision.Features[0].Points, p => Assert.InRange(Math.Abs(p.Point.FollowedMm), 0, 0.0005));
 
         // Its points are off by more than what is worth a correction: the report must not say the opposite.
-        Assert.Contains(outcome.Decision.Features[0].Points, p => Math.Abs(p.Point.NormalMm) > outcome.Decision.Features[0].SignificantMm);
+        Assert.Contains(outcome.Decision.Features[0].Points, p => Math.Abs(p.Point.DecidedMm) > outcome.Decision.Features[0].SignificantMm);
         var page = System.Text.Encoding.UTF8.GetString(MatchReportHtml.Write(MatchReporter.Report(outcome, "out/counterpart.nc", null)));
         Assert.Contains("what the counterparts so far say of the next one", page, StringComparison.Ordinal);
         Assert.DoesNotContain("But none lies more than", page, StringComparison.Ordinal);

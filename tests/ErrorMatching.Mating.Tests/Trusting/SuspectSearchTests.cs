@@ -109,7 +109,10 @@ public sealed class SuspectSearchTests
         var points = Enumerable.Range(0, count).Select(i =>
         {
             var normal = new Vector2(Math.Cos(2 * Math.PI * i / count), Math.Sin(2 * Math.PI * i / count));
-            return new RunPoint(0, i, new Point2(3, 5) + (normal * 10), Vector2.Zero, Vector2.Zero, normal);
+            return new RunPoint(0, i, new Point2(3, 5) + (normal * 10), Vector2.Zero, Vector2.Zero, normal)
+            {
+                Nominal = new(0, 0, 0, Vector2.Zero),
+            };
         }).ToArray();
         var shift = new Vector2(random.NextDouble() - 0.5, random.NextDouble() - 0.5) * 0.2;
         return (points, [.. points.Select(p => shift.Dot(p.Normal) + 0.03 + (noises * Noise * Gauss(random)))]);
