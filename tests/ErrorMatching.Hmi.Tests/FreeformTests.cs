@@ -10,7 +10,7 @@ namespace ErrorMatching.Hmi.Tests;
 
 public sealed class FreeformTests
 {
-    private static readonly string[] Sides = ["compare", "surface-errors", "statistics", "plan", "finishing"];
+    private static readonly string[] Sides = ["solid", "compare", "surface-errors", "statistics", "plan", "finishing", "surface-details"];
     private static readonly string Job = Path.Combine(AppContext.BaseDirectory, "samples", "surface-one", "job.json");
 
     [Fact]
@@ -145,14 +145,9 @@ public sealed class FreeformTests
         seat.Cell.Run();
         seat.Cell.DeliverSurface(1, 0);
         seat.WaitFor(1, CorrectionState.Proposed);
-        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("detail-surface-summary");
+        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("detail-map");
         using var report = JsonDocument.Parse(seat.Station.Store.Content(seat.Station.Store.Find(1)!.ReportSha256!));
         var before = report.RootElement.GetProperty("before");
-        Assert.StartsWith(
-            $"Standard deviation {Shown.Micrometers(before.GetProperty("standardDeviationUm").GetDouble() / 1000)}\u00a0µm, expected ",
-            seat.TextOf("detail-surface-summary"),
-            StringComparison.Ordinal);
-        Assert.NotNull(seat.Find("detail-map"));
 
         // The colors are told together with the maps, without scrolling.
         var (legend, scroll) = (seat.See("detail-legend"), seat.See("surface-scroll"));
@@ -160,7 +155,11 @@ public sealed class FreeformTests
             new Rect(scroll.Bounds.Size).Contains(new Rect(legend.Bounds.Size).TransformToAABB(legend.TransformToVisual(scroll)!.Value)),
             "The legend is below the edge.");
         Assert.Null(seat.Find("tab-points"));
-        seat.Tap("tab-decisions");
+        seat.Tap("tab-decisions").See("detail-surface-summary");
+        Assert.StartsWith(
+            $"Standard deviation {Shown.Micrometers(before.GetProperty("standardDeviationUm").GetDouble() / 1000)}\u00a0µm, expected ",
+            seat.TextOf("detail-surface-summary"),
+            StringComparison.Ordinal);
         Assert.Contains("Chordal error at most", seat.TextOf("detail-proof"), StringComparison.Ordinal);
 
         // One unit for one quantity: what the program is displaced by is said in mm wherever it stands.
@@ -174,11 +173,34 @@ public sealed class FreeformTests
         Texts.Current.Language = Language.English;
 
         // A mating behind it has its own sides again.
+        seat.Tap("tab-surface");
         seat.Cell.Deliver(1, 0);
         seat.WaitFor(() => seat.Find("correction-2") is not null, "The part is not listed.");
         seat.Tap("correction-2").See("pair");
         Assert.Null(seat.Find("tab-surface"));
         Assert.False(seat.Find("detail-missing") is { IsEffectivelyVisible: true });
+    });
+
+    [Theory]
+    [InlineData(Language.English)]
+    [InlineData(Language.TraditionalChinese)]
+    public Task What_is_not_needed_to_decide_is_under_the_details(Language language) => Seat.AtAsync(seat =>
+    {
+        seat.Cell.Run();
+        seat.Cell.DeliverSurface(1, 0);
+        seat.WaitFor(1, CorrectionState.Proposed);
+        seat.SignIn(DemoCell.Operator).Tap("nav-freeform").See("map");
+        Texts.Current.Language = language;
+        string[] ids = ["surface-summary", "surface-tolerance", "surface-how", "surface-origin"];
+        Assert.All(ids, id => Assert.Null(seat.Find(id)));
+        seat.Tap("tab-surface-details");
+        seat.WaitFor(() => ((FreeformViewModel)seat.Shell.Current!).Detail!.Language == language, "It stays in the other language.");
+        var detail = ((FreeformViewModel)seat.Shell.Current!).Detail!;
+        Assert.Equal(
+            [detail.Figures.Summary, detail.Figures.Tolerance, detail.Figures.How, detail.Origin], ids.Select(id => seat.TextOf(id)));
+
+        // An icon at the side's name only if there is a warning.
+        Assert.Equal(detail.Figures.HasWarnings, seat.Find("surface-warnings") is not null);
     });
 
     // The job of this cell names no tool: its program stops with an alarm, and wherever it is looked at that is said first,
@@ -195,11 +217,11 @@ public sealed class FreeformTests
         seat.WaitFor(1, CorrectionState.Proposed);
         seat.SignIn(DemoCell.Setter).Tap("nav-freeform").See("surface-title");
         Assert.StartsWith("The program calls no tool and stops with an alarm", seat.TextOf("surface-missing"), StringComparison.Ordinal);
-        Assert.True(Top("surface-missing") < Top("surface-summary"));
+        Assert.True(Top("surface-missing") < Top("map"));
         Assert.Empty(((FreeformViewModel)seat.Shell.Current!).Detail!.Figures.Warnings);
-        seat.Tap("nav-compensation").See("detail-surface-summary");
+        seat.Tap("nav-compensation").See("detail-map");
         Assert.StartsWith("The program calls no tool and stops with an alarm", seat.TextOf("detail-missing"), StringComparison.Ordinal);
-        Assert.True(Top("detail-missing") < Top("detail-surface-summary"));
+        Assert.True(Top("detail-missing") < Top("detail-map"));
         Texts.Current.Language = Language.TraditionalChinese;
         seat.WaitFor(
             () => seat.TextOf("detail-missing")!.StartsWith("程式沒有換刀指令，會以警報停止", StringComparison.Ordinal),
@@ -220,8 +242,7 @@ public sealed class FreeformTests
         seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("pair");
         seat.Tap("tab-gap").Tap("correction-2").WaitFor(() => seat.TextOf("detail-title") == "#2 · 0001", "The surface is not shown.");
         var map = (SurfacePlot)seat.See("detail-map");
-        seat.WaitFor(
-            () => map.Drawing is not null && !string.IsNullOrEmpty(seat.TextOf("detail-surface-summary")), "The surface stays empty.");
+        seat.WaitFor(() => map is { Drawing: not null, Caption.Length: > 0 }, "The surface stays empty.");
         Assert.Equal(((CompensationViewModel)seat.Shell.Current!).Detail!.Surface!.Measured, map.Drawing);
     });
 
@@ -253,8 +274,8 @@ public sealed class FreeformTests
         {
             seat.Tap("tab-" + side);
 
-            // One of them stands in the manual.
-            pictures.Take("freeform-" + side, isPictured: side == "compare");
+            // Two of them are in the manual.
+            pictures.Take("freeform-" + side, isPictured: side is "compare" or "solid");
         }
 
         seat.Tap("nav-compensation").See("detail-map");

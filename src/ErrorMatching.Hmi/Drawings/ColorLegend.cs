@@ -75,7 +75,9 @@ internal sealed class ColorLegend : Control, IDrawnWords
             new Pen(Translucent.Of(Ink, DrawnSizes.FrameOpacity)),
             new Rect(left, DrawnSizes.HalfThin, width, DrawnSizes.ColorBar - DrawnSizes.HalfThin));
 
-        foreach (var tick in Ticks)
+        // Where five numbers would touch one another, there are three.
+        var few = Ticks.Sum(t => Text(t).Width + DrawnSizes.LabelsApart) > Bounds.Width;
+        foreach (var tick in Ticks.Where(t => !few || Math.Abs(t) is 0 or 1))
         {
             // The first and the last color reach half a step beyond their values.
             var x = left + (width * (0.5 + (tick * (DivergingColors.Count - 1) / DivergingColors.Count / 2)));

@@ -1,11 +1,13 @@
 using Avalonia;
+using Avalonia.Data;
 using Avalonia.Media;
 using Avalonia.Media.Immutable;
 using ErrorMatching.Geometry;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Draws a surface from above, with colors by value or with the path of the stylus. Tapping a point shows its values.</summary>
+/// <summary>Draws a surface from above, with colors by value or with the path of the stylus. Tapping a point or a
+/// place shows its values.</summary>
 internal sealed class SurfacePlot : PlotArea
 {
     public static readonly StyledProperty<SurfaceDrawing?> DrawingProperty = AvaloniaProperty.Register<SurfacePlot, SurfaceDrawing?>(
@@ -19,15 +21,38 @@ internal sealed class SurfacePlot : PlotArea
 
     public static readonly StyledProperty<IBrush?> MapPaperProperty = AvaloniaProperty.Register<SurfacePlot, IBrush?>(nameof(MapPaper));
 
+    public static readonly StyledProperty<IBrush?> PathBrushProperty = AvaloniaProperty.Register<SurfacePlot, IBrush?>(nameof(PathBrush));
+
+    public static readonly StyledProperty<SurfacePath?> PathProperty = AvaloniaProperty.Register<SurfacePlot, SurfacePath?>(nameof(Path));
+
+    public static readonly StyledProperty<SurfaceSections?> SectionsProperty = AvaloniaProperty.Register<SurfacePlot, SurfaceSections?>(
+        nameof(Sections));
+
+    public static readonly StyledProperty<Point2?> PlaceProperty = AvaloniaProperty.Register<SurfacePlot, Point2?>(
+        nameof(Place), defaultBindingMode: BindingMode.TwoWay);
+
+    public static readonly StyledProperty<string?> CaptionProperty = AvaloniaProperty.Register<SurfacePlot, string?>(nameof(Caption));
+
     // Share of the distance between two points: the surface must stay visible between their dots.
     private const double DotShare = 0.15;
+
+    // Share of that distance within which a tap means the point, and not the place beside it.
+    private const double TapShare = 0.3;
     private PlotBox _extent = PlotBox.Empty;
     private List<(int Color, StreamGeometry Geometry)>? _shapes;
     private StreamGeometry? _border;
     private List<FormattedText>? _texts;
     private double _nearest = double.PositiveInfinity;
 
-    static SurfacePlot() => AffectsRender<SurfacePlot>(AreaBrushProperty, WayBrushProperty, MapInkProperty, MapPaperProperty);
+    static SurfacePlot() => AffectsRender<SurfacePlot>(
+        AreaBrushProperty,
+        WayBrushProperty,
+        MapInkProperty,
+        MapPaperProperty,
+        PathBrushProperty,
+        PathProperty,
+        SectionsProperty,
+        CaptionProperty);
 
     public SurfaceDrawing? Drawing
     {
@@ -63,6 +88,41 @@ internal sealed class SurfacePlot : PlotArea
         set => SetValue(MapPaperProperty, value);
     }
 
+    /// <summary>Color of the path of a tool over the map.</summary>
+    public IBrush? PathBrush
+    {
+        get => GetValue(PathBrushProperty);
+        set => SetValue(PathBrushProperty, value);
+    }
+
+    /// <summary>The path of a tool over the map; null for none.</summary>
+    public SurfacePath? Path
+    {
+        get => GetValue(PathProperty);
+        set => SetValue(PathProperty, value);
+    }
+
+    /// <summary>Sections whose lines are drawn over the map; null for none.</summary>
+    public SurfaceSections? Sections
+    {
+        get => GetValue(SectionsProperty);
+        set => SetValue(SectionsProperty, value);
+    }
+
+    /// <summary>The place whose values are shown; null if none are.</summary>
+    public Point2? Place
+    {
+        get => GetValue(PlaceProperty);
+        set => SetValue(PlaceProperty, value);
+    }
+
+    /// <summary>What is said above the surface; null for nothing.</summary>
+    public string? Caption
+    {
+        get => GetValue(CaptionProperty);
+        set => SetValue(CaptionProperty, value);
+    }
+
     /// <summary>True once it was drawn. Shapes are created on demand, because most maps are on tabs that are never opened.</summary>
     internal bool HasShapes => _shapes is not null;
 
@@ -79,6 +139,9 @@ internal sealed class SurfacePlot : PlotArea
 
     /// <inheritdoc/>
     protected override int DatumCount => Drawing?.Points.Count ?? 0;
+
+    /// <inheritdoc/>
+    protected override Thickness Frame => CaptionText() is { } caption ? new(0, caption.Height + DrawnSizes.Around, 0, 0) : default;
 
     /// <inheritdoc/>
     protected override void OnPropertyChanged(AvaloniaPropertyChangedEventArgs change)
@@ -100,6 +163,41 @@ internal sealed class SurfacePlot : PlotArea
             _nearest = Drawing?.NearestDistance() ?? double.PositiveInfinity;
             Renew([.. Drawing?.Points.Select(p => p.At) ?? []]);
         }
+        else if (change.Property == CaptionProperty)
+        {
+            ShowAll();
+        }
+        else if (change.Property == ValuesProperty)
+        {
+            SetCurrentValue(PlaceProperty, Asked?.At);
+        }
+    }
+
+    /// <inheritdoc/>
+    protected override PlotDatum? DatumNear(Point2 screen, double reach)
+    {
+        if (Drawing is not { ValuesMm: { } values } drawing || double.IsInfinity(reach))
+        {
+            return base.DatumNear(screen, reach);
+        }
+
+        // Points that are close together must leave room to tap between them.
+        if (base.DatumNear(screen, Math.Min(reach, TapShare * _nearest * View.ScaleX)) is { } point)
+        {
+            return point;
+        }
+
+        var at = View.ToPlot(screen);
+        return NetPlaces.Under(drawing.Net, at) is var (u, v)
+            ? new(
+                at,
+                Texts.Current.With(
+                    "Freeform.AtPlace",
+                    Shown.Number(at.X),
+                    Shown.Number(at.Y),
+                    Shown.SignedMicrometers(NetPlaces.ValueAt(drawing.Net, values, u, v))),
+                base.DatumNear(screen, double.PositiveInfinity)?.Index ?? 0)
+            : null;
     }
 
     /// <inheritdoc/>
@@ -128,8 +226,80 @@ internal sealed class SurfacePlot : PlotArea
             context.DrawGeometry(null, new Pen(Rule, DrawnSizes.Thin / view.ScaleX), _border ??= BorderOf(drawing.Cells));
         }
 
+        Passes(context, view);
+        Lines(context, view);
         Way(context, view, drawing);
         Dots(context, view, drawing);
+        if (Sections is { } sections)
+        {
+            Diamond(context, MapPaper, new Pen(MapInk, DrawnSizes.Line), view.At(sections.At), DrawnSizes.Ring);
+        }
+
+        if (CaptionText() is { } caption)
+        {
+            Words(context, caption, new Point(DrawnSizes.Around, DrawnSizes.Around));
+        }
+    }
+
+    private void Passes(DrawingContext context, PlotView view)
+    {
+        if (Path?.Thinned(view.ScaleX, DrawnSizes.PassesApart) is not var (passes, of))
+        {
+            return;
+        }
+
+        foreach (var pass in passes)
+        {
+            Line(context, new Pen(PathBrush, DrawnSizes.Thin), pass, view);
+        }
+
+        if (of > 1)
+        {
+            var text = Label(Texts.Current.With("Freeform.PathThinned", Shown.Count(of)));
+            text.MaxTextWidth = Math.Max(1, Free.Width - (2 * DrawnSizes.Around));
+            Words(context, text, new Point(DrawnSizes.Around, Bounds.Height - text.Height - DrawnSizes.Near));
+        }
+    }
+
+    // Each line on paper, so that it is seen on every color, with its letter at its end.
+    private void Lines(DrawingContext context, PlotView view)
+    {
+        if (Sections is not { } sections)
+        {
+            return;
+        }
+
+        foreach (var (letter, line, dashes) in new[] {
+            ("A", sections.AlongU.Above, null), ("B", sections.AlongV.Above, DrawnSizes.Dashes) })
+        {
+            Line(context, new Pen(MapPaper, DrawnSizes.Thick), line, view);
+            Line(context, new Pen(MapInk, DrawnSizes.Cut, dashes), line, view);
+            Letter(context, letter, [.. line.Where(p => p.IsFinite).Select(p => view.At(p))]);
+        }
+    }
+
+    // At the lower or the right end: the numbers of points are above them.
+    private void Letter(DrawingContext context, string letter, IReadOnlyList<Point> line)
+    {
+        if (line.Count > 1)
+        {
+            var (end, other) = line[0].X + line[0].Y > line[^1].X + line[^1].Y ? (line[0], line[^1]) : (line[^1], line[0]);
+            var (text, way) = (Label(letter, isStrong: true), (Vector)(end - other));
+            var at = end + (way / Math.Max(way.Length, 1) * DrawnSizes.LettersAway);
+            Words(context, text, at - new Point(text.Width / 2, text.Height / 2));
+        }
+    }
+
+    private FormattedText? CaptionText()
+    {
+        if (string.IsNullOrEmpty(Caption))
+        {
+            return null;
+        }
+
+        var text = Label(Caption);
+        text.MaxTextWidth = Math.Max(1, Free.Width - (2 * DrawnSizes.Around));
+        return text;
     }
 
     /// <summary>Radius of a point's dot, in screen units: small if the points are close together, so as not to hide a small map.</summary>

@@ -140,7 +140,7 @@ public abstract class PlotArea : PlotPaper, IDrawnWords
     }
 
     /// <summary>Pans by a distance in screen units.</summary>
-    public void Pan(Vector by)
+    public virtual void Pan(Vector by)
     {
         View = Stored(View.Pan(new(by.X, by.Y)));
         Lead();
@@ -252,6 +252,12 @@ public abstract class PlotArea : PlotPaper, IDrawnWords
     /// <summary>True if a line of the drawing crosses a box: text there would hide it.</summary>
     protected virtual bool IsDrawnIn(PlotBox box) => false;
 
+    /// <summary>Shows everything, as when the plot was opened.</summary>
+    protected virtual void Reset() => ShowAll();
+
+    /// <summary>What an arrow key does: by default, it pans against its direction, so that the eye goes where it points.</summary>
+    protected virtual void Step(Vector by) => Pan(by);
+
     // The twin follows this plot.
     private void Lead()
     {
@@ -264,8 +270,8 @@ public abstract class PlotArea : PlotPaper, IDrawnWords
     // Show all applies to both plots.
     private void ShowAllInBoth()
     {
-        ShowAll();
-        Twin?.ShowAll();
+        Reset();
+        Twin?.Reset();
     }
 
     private void FillOrLeave()
@@ -390,10 +396,10 @@ public abstract class PlotArea : PlotPaper, IDrawnWords
         var (x, y) = (KeyShare * Bounds.Width, KeyShare * Bounds.Height);
         Action? act = key switch
         {
-            Key.Left => () => Pan(new(x, 0)),
-            Key.Right => () => Pan(new(-x, 0)),
-            Key.Up => () => Pan(new(0, y)),
-            Key.Down => () => Pan(new(0, -y)),
+            Key.Left => () => Step(new(x, 0)),
+            Key.Right => () => Step(new(-x, 0)),
+            Key.Up => () => Step(new(0, y)),
+            Key.Down => () => Step(new(0, -y)),
             Key.Add or Key.OemPlus => () => ZoomStep(1),
             Key.Subtract or Key.OemMinus => () => ZoomStep(-1),
             Key.D0 or Key.NumPad0 => ShowAllInBoth,

@@ -58,6 +58,15 @@ internal static class DrawnSizes
     /// <summary>Distance of a label from its object.</summary>
     public const double LabelAway = 8;
 
+    /// <summary>Distance of a section's letter from the end of its line.</summary>
+    public const double LettersAway = 14;
+
+    /// <summary>Smallest distance of two passes of a tool over a map: the colors stay visible between them.</summary>
+    public const double PassesApart = 8;
+
+    /// <summary>Length of the axes beside a turned surface.</summary>
+    public const double Axis = 34;
+
     /// <summary>Height of a map number above its point.</summary>
     public const double NumberAbove = 5;
 
@@ -81,6 +90,9 @@ internal static class DrawnSizes
 
     /// <summary>Opacity of grid lines behind the drawing.</summary>
     public const double RuleOpacity = 0.35;
+
+    /// <summary>Opacity of the mesh on a turned surface.</summary>
+    public const double MeshOpacity = 0.3;
 
     /// <summary>Opacity of a frame around colors.</summary>
     public const double FrameOpacity = 0.4;

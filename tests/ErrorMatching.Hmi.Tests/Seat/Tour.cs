@@ -27,11 +27,13 @@ internal sealed class Tour(Seat seat)
     private static readonly (string Side, string Shows)[] Surface =
         [
             ("map", "map"),
+            ("solid", "solid"),
             ("compare", "map-radius"),
             ("surface-errors", "plot-surface-errors"),
             ("statistics", "statistics"),
             ("plan", "measured-plan"),
-            ("finishing", "finishing-program")];
+            ("finishing", "finishing-program"),
+            ("surface-details", "surface-summary")];
 
     /// <summary>Lets the cell make what is shown: a piece that was cut and measured,
     /// a mating and a surface that wait for somebody.</summary>

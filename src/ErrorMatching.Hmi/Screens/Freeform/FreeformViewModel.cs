@@ -1,22 +1,26 @@
 using ErrorMatching.Cell;
+using ErrorMatching.Jobs;
 using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi;
 
 /// <summary>Free-form surfaces: where a surface is probed, where its error is, what either way of compensation leaves of it, and
-/// the finishing program.</summary>
+/// the finishing program, which is approved or rejected here as in the on-line compensation.</summary>
 internal sealed class FreeformViewModel : ScreenViewModel, ILooksAt
 {
     private const int Most = 60;
     private long _older;
     private readonly Dictionary<string, StoredSurface?> _read = new(StringComparer.Ordinal);
     private readonly ShellViewModel _shell;
+    private readonly Pause _pause;
+    private bool _isExpected = true;
+    private long? _current;
     private SurfaceJobChoice? _job;
     private SurfaceRow? _chosen;
     private long? _looked;
     private SurfaceDetail? _detail;
     private SurfacePlan? _plan;
-    private (long Id, int Version) _shown = (0, -1);
+    private (long Id, int Version, bool IsOfChangedJob) _shown = (0, -1, false);
     private bool _isPlanned;
     private int _load;
 
@@ -24,6 +28,9 @@ internal sealed class FreeformViewModel : ScreenViewModel, ILooksAt
         : base((shell ?? throw new ArgumentNullException(nameof(shell))).Station)
     {
         _shell = shell;
+        _pause = new(Station.Clock, OnDecisionsChanged);
+        Approve = Decision(Act.Approve);
+        Reject = Decision(Act.Reject);
         Jobs = [.. Station.Settings.Jobs.Where(j => j.IsFreeform).Select(j => new SurfaceJobChoice(j.Name, j))];
         _job = Jobs.FirstOrDefault(j => j.Name == shell.Looked.SurfaceJob) ?? (Jobs is [var first, ..] ? first : null);
         _looked = shell.Looked.Surface;
@@ -46,7 +53,7 @@ internal sealed class FreeformViewModel : ScreenViewModel, ILooksAt
         {
             if (value is not null && Set(ref _job, value))
             {
-                (_looked, _shown) = (null, (0, -1));
+                (_looked, _current, _shown, _isExpected) = (null, null, (0, -1, false), true);
                 (_shell.Looked.SurfaceJob, _shell.Looked.Surface) = (value.Name, null);
                 (Detail, Plan, _isPlanned) = (null, null, false);
                 Refresh();
@@ -71,7 +78,7 @@ internal sealed class FreeformViewModel : ScreenViewModel, ILooksAt
         {
             if (value is not null && value != _chosen)
             {
-                _shell.Looked.Surface = _looked = value.Id;
+                Look(value.Id);
                 Refresh();
             }
         }
@@ -83,6 +90,23 @@ internal sealed class FreeformViewModel : ScreenViewModel, ILooksAt
         get => _detail;
         private set => Set(ref _detail, value);
     }
+
+    /// <summary>Approves its program for its machine.</summary>
+    public Command Approve { get; }
+
+    /// <summary>Rejects it.</summary>
+    public Command Reject { get; }
+
+    /// <summary>True if the shown surface can be approved or rejected by a user who has the right.</summary>
+    public bool IsUndecided =>
+        Detail is { Stored.Correction.State: var state } && CorrectionSteps.Allows(state, CorrectionState.Rejected);
+
+    /// <summary>Why a button is disabled; null if no explanation is needed.</summary>
+    public string? Forbidden => !IsUndecided || _shell.Who is not { } who ? null
+        : _pause.IsOn ? Texts.Current["Compensation.Changed"]
+        : Detail!.Stored.Correction.IsUndecided && !Rights.Allows(who.Role, Act.Approve)
+            ? Texts.Current["Compensation.ApproveTakesSetter"]
+        : null;
 
     /// <summary>The probing plan; null once a surface is measured.</summary>
     public SurfacePlan? Plan
@@ -97,8 +121,15 @@ internal sealed class FreeformViewModel : ScreenViewModel, ILooksAt
     /// <inheritdoc/>
     public void LookAt(long correction)
     {
-        _looked = correction;
+        Look(correction);
         Refresh();
+    }
+
+    /// <inheritdoc/>
+    protected override void Dispose(bool isDisposing)
+    {
+        base.Dispose(isDisposing);
+        _pause.Dispose();
     }
 
     /// <inheritdoc/>
@@ -108,8 +139,37 @@ internal sealed class FreeformViewModel : ScreenViewModel, ILooksAt
     protected override void Translate()
     {
         // Rebuild the view in the other language; until then, the old content stays.
-        (_shown, _isPlanned) = ((0, -1), false);
+        (_shown, _isPlanned) = ((0, -1, false), false);
         Refresh();
+    }
+
+    // The user's own choice needs no pause.
+    private void Look(long id)
+    {
+        _shell.Looked.Surface = _looked = _current = id;
+        _isExpected = true;
+        OnDecisionsChanged();
+    }
+
+    // The decision applies to what is shown. Keep it selected, so that the user sees the outcome.
+    private Command Decision(Act act) => new(
+        () =>
+        {
+            var (kept, detail) = (Detail!.Stored, Detail);
+            _shell.Looked.Surface = _looked = kept.Correction.Id;
+            _shell.Sign(DecisionSigning.Of(_shell, act, kept, () => detail.Now().Facts));
+        },
+        () => !_pause.IsOn
+            && Detail is { Stored.Correction: var correction }
+            && correction.Id == _current
+            && DecisionSigning.IsPossible(_shell, act, correction));
+
+    private void OnDecisionsChanged()
+    {
+        OnPropertyChanged(nameof(IsUndecided));
+        OnPropertyChanged(nameof(Forbidden));
+        Approve.Refresh();
+        Reject.Refresh();
     }
 
     private void Refresh()
@@ -126,19 +186,21 @@ internal sealed class FreeformViewModel : ScreenViewModel, ILooksAt
         (StoredCorrection Stored, SurfaceDetail Detail)? read = null;
         SurfacePlan? plan = null;
         string? trouble = null;
-        var (looked, shown, isPlanned, older) = (_looked, _shown, _isPlanned, 0L);
+        Correction? selected = null;
+        var (looked, shown, isPlanned, older, changed) = (_looked, _shown, _isPlanned, 0L, Station.State.OfChangedJob);
         var isRead = await TryAsync(() =>
         {
             measured = Measured(job);
             older = Station.Store.Corrections.CountReported([job.Name]) - Most;
-            var correction = measured.FirstOrDefault(m => m.Correction.Id == looked).Correction
+            selected = measured.FirstOrDefault(m => m.Correction.Id == looked).Correction
                 ?? (measured is [var newest, ..] ? newest.Correction : null);
-            if (correction is not null)
+            if (selected is { } correction)
             {
-                if ((correction.Id, correction.Version) != shown)
+                var isOfChangedJob = changed.Contains(correction.Id);
+                if ((correction.Id, correction.Version, isOfChangedJob) != shown)
                 {
                     var kept = StoredCorrection.Read(Station.Store, correction);
-                    read = (kept, new(kept, Station.Clock));
+                    read = (kept, new(kept, Station.Clock, () => PathOf(job, correction)) { IsOfChangedJob = isOfChangedJob });
                 }
             }
             else if (!isPlanned)
@@ -169,15 +231,28 @@ internal sealed class FreeformViewModel : ScreenViewModel, ILooksAt
         Message = trouble;
         if (read is { } it)
         {
-            _shown = (it.Stored.Correction.Id, it.Stored.Correction.Version);
-            (Detail, Plan) = (it.Detail, null);
+            _shown = (it.Stored.Correction.Id, it.Stored.Correction.Version, it.Detail.IsOfChangedJob);
+            if (!_isExpected && (Detail is not { Stored.Correction: var was } || (was.Id, was.Version, Detail.IsOfChangedJob) != _shown))
+            {
+                _pause.Begin();
+            }
+
+            var now = it.Detail.Now();
+            now.IsPathShown = Detail?.IsPathShown == true;
+            (Detail, Plan) = (now, null);
         }
+
+        (_current, _isExpected) = (selected?.Id, false);
 
         Plan = plan ?? Plan;
         _isPlanned = Plan is not null;
         _chosen = Rows.FirstOrDefault(r => r.Id == _shown.Id);
         OnPropertyChanged(nameof(Chosen));
+        OnDecisionsChanged();
     }
+
+    private SurfacePath PathOf(CellJobSettings job, Correction correction) =>
+        SurfacePath.Of(Station.Store.Content(correction.ProgramSha256!), new FreeformFiles(job.File).ToolpathDialect());
 
     private void ShowRows(IReadOnlyList<SurfaceRow> rows, bool isKnown)
     {
@@ -225,7 +300,7 @@ internal sealed class FreeformViewModel : ScreenViewModel, ILooksAt
             CorrectionLabel.Of(c),
             surface.JobName,
             Texts.Current.Word(c.State),
-            Shown.Micrometers(surface.Findings.Before.ProfileIsoMm) + " µm",
+            Shown.Micrometers(surface.Findings.Before.ProfileIsoMm),
             CorrectionLabel.SeverityOf(c.State));
 }
 

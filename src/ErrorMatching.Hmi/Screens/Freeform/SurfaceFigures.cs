@@ -23,6 +23,7 @@ internal sealed class SurfaceFigures
         Measured = Map(map.BeforeMm, [.. _findings.Samples.Select(s => s.ErrorMm)], "Freeform.AtMeasured");
         Mirror = Map(map.MirrorMm, _findings.Mirror.Errors, "Freeform.AtMirror");
         ToolRadius = Map(map.ToolRadiusMm, _findings.ToolRadius.Errors, "Freeform.AtToolRadius");
+        Solid = new(Measured);
         Plan = new(
             map.Net,
             null,
@@ -63,8 +64,17 @@ internal sealed class SurfaceFigures
     /// <summary>The absolute value of the last colors of all maps, in mm.</summary>
     public double LimitMm { get; }
 
+    /// <summary>How far the limits of the job's tolerance are from zero, in mm; 0 if it states none.</summary>
+    public double ToleranceMm => _findings.Verdict?.Tolerance.Limits.UpperMm ?? 0;
+
     /// <summary>The measured error.</summary>
     public SurfaceDrawing Measured { get; }
+
+    /// <summary>The measured error in space, exaggerated.</summary>
+    public SurfaceSolid Solid { get; }
+
+    /// <summary>How much it is exaggerated.</summary>
+    public string SolidCaption => Texts.Current.With("Freeform.SolidCaption", Shown.Count((long)Solid.Factor));
 
     /// <summary>Error expected to remain after mirroring.</summary>
     public SurfaceDrawing Mirror { get; }
@@ -119,9 +129,6 @@ internal sealed class SurfaceFigures
 
     /// <summary>Caption of the map for a modified tool radius.</summary>
     public string ToolRadiusCaption => Caption("Freeform.ExpectedToolRadius", _findings.ToolRadius.Statistics, !_findings.IsMirror);
-
-    /// <summary>Name of the chosen way of compensation.</summary>
-    public string ExpectedName => Texts.Current[_findings.IsMirror ? "Freeform.ExpectedMirror" : "Freeform.ExpectedToolRadius"];
 
     /// <summary>Caption of the map of the measured error.</summary>
     public string MeasuredCaption => Caption("Freeform.Measured", _findings.Before, isChosen: false);
