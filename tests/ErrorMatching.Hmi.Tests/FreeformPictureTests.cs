@@ -69,7 +69,8 @@ public sealed class FreeformPictureTests
         var worst = values.Select(Math.Abs).Max();
         Assert.True(detail.Sections!.IsWorst);
         Assert.Equal(worst, Math.Abs(detail.Sections.ValueMm), 1e-12);
-        Assert.Contains(Shown.SignedMicrometers(detail.Sections.ValueMm), ((SectionPlot)seat.See("section-u")).Caption, StringComparison.Ordinal);
+        Assert.Contains(
+            Shown.SignedMicrometers(detail.Sections.ValueMm), ((SectionPlot)seat.See("section-u")).Caption, StringComparison.Ordinal);
 
         // A place of the net away from the points: the sections are the values of its two lines.
         var (i, j) = Enumerable.Range(1, net.CountU - 2)
@@ -122,7 +123,9 @@ public sealed class FreeformPictureTests
         Assert.InRange(of, 2, count / 10);
         Assert.InRange(passes.Count * of, count - of, count + of);
         var lines = passes.Select(p => map.View.At(p[0]).Y).Order().ToArray();
-        Assert.All(lines.Zip(lines.Skip(1)), l => Assert.InRange(l.Second - l.First, DrawnSizes.PassesApart - 1, 3 * DrawnSizes.PassesApart));
+        Assert.All(
+            lines.Zip(lines.Skip(1)),
+            l => Assert.InRange(l.Second - l.First, DrawnSizes.PassesApart - 1, 3 * DrawnSizes.PassesApart));
         Assert.Equal((map.Path.Passes, 1), map.Path.Thinned(100 * map.View.ScaleX, DrawnSizes.PassesApart));
         seat.User.Screenshot(Repository.PathTo("artifacts", "screenshots", "freeform-path.png"));
 

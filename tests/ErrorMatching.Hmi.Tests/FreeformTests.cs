@@ -269,13 +269,14 @@ public sealed class FreeformTests
         seat.Cell.DeliverSurface(1, 0);
         seat.WaitFor(1, CorrectionState.Proposed);
         seat.See("surface-title");
-        pictures.Take("freeform");
+        bool IsTranslated() => ((FreeformViewModel)seat.Shell.Current!).Detail!.Language == Texts.Current.Language;
+        pictures.Take("freeform", settled: IsTranslated);
         foreach (var side in Sides)
         {
             seat.Tap("tab-" + side);
 
             // Two of them are in the manual.
-            pictures.Take("freeform-" + side, isPictured: side is "compare" or "solid");
+            pictures.Take("freeform-" + side, isPictured: side is "compare" or "solid", settled: IsTranslated);
         }
 
         seat.Tap("nav-compensation").See("detail-map");

@@ -12,7 +12,8 @@ internal static class NetPlaces
     // Share of a cell that rounding takes a place on its border out of it.
     private const double RoundingShare = 1e-9;
 
-    /// <summary>The place of the net under a point seen from above, counted in cells along u and v; null if it is not on the piece.</summary>
+    /// <summary>The place of the net under a point seen from above, counted in cells along u and v; null if it is not on
+    /// the piece.</summary>
     public static (double U, double V)? Under(SurfaceNet net, Point2 at)
     {
         ArgumentNullException.ThrowIfNull(net);

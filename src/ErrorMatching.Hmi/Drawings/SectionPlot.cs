@@ -92,11 +92,13 @@ internal sealed class SectionPlot : PlotPaper, IDrawnWords
 
         // Both sections have one scale, so that they can be compared.
         var limit = SectionPoint.MicrometersPerMm * LimitMm;
-        double[] values = [0, -limit, limit, .. sections.AlongU.Curve.Concat(sections.AlongV.Curve).Where(p => p.IsFinite).Select(p => p.Y)];
+        double[] values = [
+            0, -limit, limit, .. sections.AlongU.Curve.Concat(sections.AlongV.Curve).Where(p => p.IsFinite).Select(p => p.Y)];
         var (low, high) = (values.Min(), Math.Max(values.Max(), values.Min() + 1e-6));
         var (caption, numbers) = (Label(Caption ?? ""), new[] { high, 0, low }.Select(v => (Value: v, Text: Label(Number(v)))).ToArray());
         var left = numbers.Max(n => n.Text.Width) + (2 * DrawnSizes.Near);
-        var inside = new Rect(Bounds.Size).Deflate(new Thickness(left, caption.Height + DrawnSizes.Near, DrawnSizes.Around, DrawnSizes.Around));
+        var inside = new Rect(Bounds.Size).Deflate(
+            new Thickness(left, caption.Height + DrawnSizes.Near, DrawnSizes.Around, DrawnSizes.Around));
         context.DrawText(caption, new(left, DrawnSizes.HalfThin));
         if (inside.Width < 1 || inside.Height < 1)
         {

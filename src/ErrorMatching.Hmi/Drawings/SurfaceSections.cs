@@ -72,7 +72,8 @@ public sealed record SurfaceSections(Point2 At, double ValueMm, SurfaceSection A
         var before = Math.Clamp((int)Math.Floor(own), 0, count - 2);
         return new(
             points,
-            Enumerable.Range(0, before).Sum(c => (PositionAt(c + 1) - PositionAt(c)).Length) + (PositionAt(own) - PositionAt(before)).Length,
+            Enumerable.Range(0, before).Sum(c => (PositionAt(c + 1) - PositionAt(c)).Length)
+                + (PositionAt(own) - PositionAt(before)).Length,
             mm);
 
         Point3 PositionAt(double place) => isAlongU ? NetPlaces.PositionAt(net, place, other) : NetPlaces.PositionAt(net, other, place);

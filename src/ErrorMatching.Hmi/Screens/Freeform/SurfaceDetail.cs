@@ -142,7 +142,8 @@ internal sealed class SurfaceDetail : Observable
     /// <summary>Name and size of the finishing program.</summary>
     public string ProgramCaption =>
         Lines is { } lines
-            ? Texts.Current.With("Freeform.ProgramSize", Stored.Correction.Program ?? "", Shown.Count(lines.Count), Shown.Count(lines.Bytes))
+            ? Texts.Current.With(
+                "Freeform.ProgramSize", Stored.Correction.Program ?? "", Shown.Count(lines.Count), Shown.Count(lines.Bytes))
             : "";
 
     private string? Largest =>
