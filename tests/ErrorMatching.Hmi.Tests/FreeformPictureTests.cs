@@ -70,7 +70,7 @@ public sealed class FreeformPictureTests
         Assert.True(detail.Sections!.IsWorst);
         Assert.Equal(worst, Math.Abs(detail.Sections.ValueMm), 1e-12);
         Assert.Contains(
-            Shown.SignedMicrometers(detail.Sections.ValueMm), ((SectionPlot)seat.See("section-u")).Caption, StringComparison.Ordinal);
+            Shown.SignedMicrometers(detail.Sections.ValueMm), ((MapSectionPlot)seat.See("section-u")).Caption, StringComparison.Ordinal);
 
         // A place of the net away from the points: the sections are the values of its two lines.
         var (i, j) = Enumerable.Range(1, net.CountU - 2)
@@ -80,7 +80,7 @@ public sealed class FreeformPictureTests
         var sections = Detail(seat).Sections!;
         Assert.False(sections.IsWorst);
         Assert.InRange(sections.At.DistanceTo(Above(i, j)), 0, 1 / map.View.ScaleX);
-        Assert.Same(sections, ((SectionPlot)seat.See("section-u")).Sections);
+        Assert.Same(sections, ((MapSectionPlot)seat.See("section-u")).Sections);
         Assert.Same(sections, map.Sections);
         var exact = SurfaceSections.Of(drawing, Above(i, j))!;
         Assert.Equal(values[(i * net.CountV) + j], exact.ValueMm, 1e-9);
@@ -88,7 +88,7 @@ public sealed class FreeformPictureTests
         AssertValues([.. Enumerable.Range(0, net.CountV).Select(v => (Above(i, v), values[(i * net.CountV) + v]))], exact.AlongV);
 
         // What is said is what is drawn.
-        Assert.Contains(Shown.SignedMicrometers(sections.ValueMm), ((SectionPlot)seat.See("section-u")).Caption, StringComparison.Ordinal);
+        Assert.Contains(Shown.SignedMicrometers(sections.ValueMm), ((MapSectionPlot)seat.See("section-u")).Caption, StringComparison.Ordinal);
         Assert.Contains(Shown.SignedMicrometers(sections.ValueMm), map.Values, StringComparison.Ordinal);
 
         // The keys lead from point to point, and the sections follow; a tap beside the surface shows the worst place again.
@@ -164,7 +164,7 @@ public sealed class FreeformPictureTests
         Assert.InRange(solid.View.ScaleX / view.ScaleX, 2, 4);
     });
 
-    private static void AssertValues((Point2 At, double Mm)[] expected, SurfaceSection section)
+    private static void AssertValues((Point2 At, double Mm)[] expected, MapSection section)
     {
         Assert.Equal(expected.Length, section.Points.Count);
         Assert.All(

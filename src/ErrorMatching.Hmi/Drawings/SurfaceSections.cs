@@ -9,7 +9,7 @@ namespace ErrorMatching.Hmi;
 /// <param name="AlongU">The section along u.</param>
 /// <param name="AlongV">The section along v.</param>
 /// <param name="IsWorst">True if nobody chose the place: it is that of the largest value.</param>
-public sealed record SurfaceSections(Point2 At, double ValueMm, SurfaceSection AlongU, SurfaceSection AlongV, bool IsWorst)
+public sealed record SurfaceSections(Point2 At, double ValueMm, MapSection AlongU, MapSection AlongV, bool IsWorst)
 {
     /// <summary>The sections through a place.</summary>
     /// <param name="drawing">The surface with its values.</param>
@@ -40,7 +40,7 @@ public sealed record SurfaceSections(Point2 At, double ValueMm, SurfaceSection A
         return (worst / net.CountV, worst % net.CountV);
     }
 
-    private static SurfaceSection Along(SurfaceNet net, IReadOnlyList<double> values, double u, double v, bool isAlongU)
+    private static MapSection Along(SurfaceNet net, IReadOnlyList<double> values, double u, double v, bool isAlongU)
     {
         var outside = net.Outside.ToHashSet();
         var (count, across, own, other) = isAlongU ? (net.CountU, net.CountV, u, v) : (net.CountV, net.CountU, v, u);
@@ -95,7 +95,7 @@ public sealed record SurfaceSections(Point2 At, double ValueMm, SurfaceSection A
 /// <param name="Points">Its points; one that is not finite interrupts it.</param>
 /// <param name="AtMm">Distance of the chosen place from the start.</param>
 /// <param name="LengthMm">Length of the line across the whole net.</param>
-public sealed record SurfaceSection(IReadOnlyList<SectionPoint> Points, double AtMm, double LengthMm)
+public sealed record MapSection(IReadOnlyList<SectionPoint> Points, double AtMm, double LengthMm)
 {
     /// <summary>The line seen from above.</summary>
     public IReadOnlyList<Point2> Above { get; } = [.. Points.Select(p => p.Above)];

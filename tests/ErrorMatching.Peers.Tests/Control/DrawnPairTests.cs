@@ -200,7 +200,8 @@ public sealed class DrawnPairTests(LinuxCncControl control) : IClassFixture<Linu
                 return kept;
             }
 
-            TestContext.Current.TestOutputHelper!.WriteLine($"The control said \"{StoppedByItself}\", and probed again from the beginning.");
+            TestContext.Current.TestOutputHelper!.WriteLine(
+                $"The control said \"{StoppedByItself}\", and probed again from the beginning.");
         }
 
         throw new InvalidOperationException($"{kept}: the control stopped {MostStops + 1} times.");

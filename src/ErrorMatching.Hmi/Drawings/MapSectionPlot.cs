@@ -5,26 +5,26 @@ using Avalonia.Media;
 namespace ErrorMatching.Hmi;
 
 /// <summary>Draws the error along a section in µm, with the limits as a band, and marks the place of the section.</summary>
-internal sealed class SectionPlot : PlotPaper, IDrawnWords
+internal sealed class MapSectionPlot : PlotPaper, IDrawnWords
 {
-    public static readonly StyledProperty<SurfaceSections?> SectionsProperty = AvaloniaProperty.Register<SectionPlot, SurfaceSections?>(
+    public static readonly StyledProperty<SurfaceSections?> SectionsProperty = AvaloniaProperty.Register<MapSectionPlot, SurfaceSections?>(
         nameof(Sections));
 
-    public static readonly StyledProperty<bool> IsAlongVProperty = AvaloniaProperty.Register<SectionPlot, bool>(nameof(IsAlongV));
+    public static readonly StyledProperty<bool> IsAlongVProperty = AvaloniaProperty.Register<MapSectionPlot, bool>(nameof(IsAlongV));
 
-    public static readonly StyledProperty<double> LimitMmProperty = AvaloniaProperty.Register<SectionPlot, double>(nameof(LimitMm));
+    public static readonly StyledProperty<double> LimitMmProperty = AvaloniaProperty.Register<MapSectionPlot, double>(nameof(LimitMm));
 
-    public static readonly StyledProperty<string?> CaptionProperty = AvaloniaProperty.Register<SectionPlot, string?>(nameof(Caption));
+    public static readonly StyledProperty<string?> CaptionProperty = AvaloniaProperty.Register<MapSectionPlot, string?>(nameof(Caption));
 
-    public static readonly StyledProperty<IBrush?> LineBrushProperty = AvaloniaProperty.Register<SectionPlot, IBrush?>(nameof(LineBrush));
+    public static readonly StyledProperty<IBrush?> LineBrushProperty = AvaloniaProperty.Register<MapSectionPlot, IBrush?>(nameof(LineBrush));
 
-    public static readonly StyledProperty<IBrush?> BandBrushProperty = AvaloniaProperty.Register<SectionPlot, IBrush?>(nameof(BandBrush));
+    public static readonly StyledProperty<IBrush?> BandBrushProperty = AvaloniaProperty.Register<MapSectionPlot, IBrush?>(nameof(BandBrush));
 
-    static SectionPlot()
+    static MapSectionPlot()
     {
-        AffectsRender<SectionPlot>(
+        AffectsRender<MapSectionPlot>(
             SectionsProperty, IsAlongVProperty, LimitMmProperty, CaptionProperty, LineBrushProperty, BandBrushProperty, BoundsProperty);
-        ClipToBoundsProperty.OverrideDefaultValue<SectionPlot>(true);
+        ClipToBoundsProperty.OverrideDefaultValue<MapSectionPlot>(true);
     }
 
     /// <summary>The sections through a place; null for none.</summary>
@@ -70,7 +70,7 @@ internal sealed class SectionPlot : PlotPaper, IDrawnWords
     }
 
     /// <summary>The shown section.</summary>
-    internal SurfaceSection? Section => IsAlongV ? Sections?.AlongV : Sections?.AlongU;
+    internal MapSection? Section => IsAlongV ? Sections?.AlongV : Sections?.AlongU;
 
     /// <inheritdoc/>
     IEnumerable<(string Words, Typeface Typeface)> IDrawnWords.DrawnWords => WordsDrawn;
