@@ -270,6 +270,7 @@ public sealed class FreeformTests
         seat.WaitFor(1, CorrectionState.Proposed);
         seat.See("surface-title");
         bool IsTranslated() => ((FreeformViewModel)seat.Shell.Current!).Detail!.Language == Texts.Current.Language;
+        seat.WaitFor(() => seat.See("freeform-approve").IsEffectivelyEnabled, "The pause does not end.");
         pictures.Take("freeform", settled: IsTranslated);
         foreach (var side in Sides)
         {
