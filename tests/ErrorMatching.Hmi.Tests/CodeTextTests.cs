@@ -19,7 +19,8 @@ public sealed partial class CodeTextTests
     // Written like codes, and shown to nobody as the reason of anything: names in files, on the wire and of dialects.
     private static readonly string[] NoCodes =
     [
-        "probing-log", "errormatch-machine", "errormatch-cell", "along-axis", "conditional-stop", "delta-nc300", "siemens-840d",
+        "probing-log", "errormatch-machine", "errormatch-cell", "along-axis", "in-plane", "toward-plus", "stricter-limits",
+        "conditional-stop", "delta-nc300", "siemens-840d",
         "heidenhain-klartext",
         "fanuc-p98xx",
         "answers-again", "held-again", "no-answer",

@@ -88,7 +88,8 @@ public sealed class FreeformPictureTests
         AssertValues([.. Enumerable.Range(0, net.CountV).Select(v => (Above(i, v), values[(i * net.CountV) + v]))], exact.AlongV);
 
         // What is said is what is drawn.
-        Assert.Contains(Shown.SignedMicrometers(sections.ValueMm), ((MapSectionPlot)seat.See("section-u")).Caption, StringComparison.Ordinal);
+        Assert.Contains(
+            Shown.SignedMicrometers(sections.ValueMm), ((MapSectionPlot)seat.See("section-u")).Caption, StringComparison.Ordinal);
         Assert.Contains(Shown.SignedMicrometers(sections.ValueMm), map.Values, StringComparison.Ordinal);
 
         // The keys lead from point to point, and the sections follow; a tap beside the surface shows the worst place again.

@@ -16,9 +16,11 @@ internal sealed class MapSectionPlot : PlotPaper, IDrawnWords
 
     public static readonly StyledProperty<string?> CaptionProperty = AvaloniaProperty.Register<MapSectionPlot, string?>(nameof(Caption));
 
-    public static readonly StyledProperty<IBrush?> LineBrushProperty = AvaloniaProperty.Register<MapSectionPlot, IBrush?>(nameof(LineBrush));
+    public static readonly StyledProperty<IBrush?> LineBrushProperty = AvaloniaProperty.Register<MapSectionPlot, IBrush?>(
+        nameof(LineBrush));
 
-    public static readonly StyledProperty<IBrush?> BandBrushProperty = AvaloniaProperty.Register<MapSectionPlot, IBrush?>(nameof(BandBrush));
+    public static readonly StyledProperty<IBrush?> BandBrushProperty = AvaloniaProperty.Register<MapSectionPlot, IBrush?>(
+        nameof(BandBrush));
 
     static MapSectionPlot()
     {

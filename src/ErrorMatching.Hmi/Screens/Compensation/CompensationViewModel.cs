@@ -25,18 +25,22 @@ internal sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         _shell = shell;
         _choice = new(shell);
         _pause = new(Station.Clock, OnDecisionsChanged);
-        Approve = Decision(
-            Act.Approve,
-            needsReason: false,
-            (id, by, reason, _) => Do(() => new CorrectionDecisions(Station.Store).Approve(id, by, reason)));
-        Reject = Decision(
-            Act.Reject, needsReason: true, (id, by, reason, _) => Do(() => new CorrectionDecisions(Station.Store).Reject(id, by, reason!)));
-        Release = Decision(
-            Act.Release,
-            needsReason: false,
-            (id, by, reason, cancellation) => Task.Run(
-                () => new SlotRelease(Station.Settings, Station.Store, Station.Open).ReleaseAsync(id, by, reason, cancellation),
-                    cancellation));
+        (Approve, Reject) = (Decision(Act.Approve), Decision(Act.Reject));
+        Release = new(
+            () => Sign(kept => new(
+                Station,
+                _shell.Who!,
+                Act.Release,
+                kept.Subject,
+                needsReason: false,
+                (by, reason, cancellation) => Task.Run(
+                    () => new SlotRelease(Station.Settings, Station.Store, Station.Open)
+                        .ReleaseAsync(kept.Correction.Id, by.Name, reason, cancellation),
+                    cancellation))
+            {
+                Correction = kept.Correction,
+            }),
+            () => IsDecidable && _shell.Who is { } who && Rights.Allows(who.Role, Act.Release) && IsAtMachine);
         Recalculate = new(_ => RecalculateAsync(), () => IsDecidable && IsOutdated);
         LookAtFirst = new(() =>
         {
@@ -227,42 +231,13 @@ internal sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         Refresh();
     }
 
-    private static Task Do(Action act)
-    {
-        act();
-        return Task.CompletedTask;
-    }
-
-    private Command Decision(Act act, bool needsReason, Func<long, string, string?, CancellationToken, Task> carryOut) => new(
-        () => Sign(
-            kept => new(
-                Station,
-                _shell.Who!,
-                act,
-                kept.Subject,
-                needsReason,
-                (by, reason, cancellation) => carryOut(kept.Correction.Id, by.Name, reason, cancellation))
-            {
-                Correction = kept.Correction,
-                ConsequenceKey = act == Act.Approve
-                ? () => WaitOf(kept.Correction) is { Severity: Severity.Attention }
-                ? "Act.Approve.Consequence.InLine"
-                : "Act.Approve.Consequence"
-                : null,
-                Known = act == Act.Approve && Detail is { } detail
-                ? () => [
-                    .. WaitOf(kept.Correction) is { Severity: Severity.Attention } wait
-                        ? [new Fact(wait.Text, wait.Severity)]
-                        : Array.Empty<Fact>(),
-                    .. detail.Now().Facts]
-                : null,
-            }),
-        () => IsDecidable && _shell.Who is { } who && Rights.Allows(who.Role, act) && Detail!.Stored.Correction is var c && act switch
+    private Command Decision(Act act) => new(
+        () =>
         {
-            Act.Approve => c is { IsUndecided: true, ProgramSha256: not null },
-            Act.Reject => IsUndecided,
-            _ => IsAtMachine,
-        });
+            var detail = Detail!;
+            Sign(kept => DecisionSigning.Of(_shell, act, kept, () => detail.Now().Facts));
+        },
+        () => IsDecidable && DecisionSigning.IsPossible(_shell, act, Detail!.Stored.Correction));
 
     private async Task RecalculateAsync()
     {
