@@ -315,6 +315,7 @@ public abstract class PlotArea : PlotPaper, IDrawnWords
     protected override void OnSizeChanged(SizeChangedEventArgs e)
     {
         base.OnSizeChanged(e);
+        PlotButtons.Lay(_buttons, Bounds.Size);
         var (isWhole, view) = (ShowsAll, View);
         ShowAll();
         if (!isWhole)

@@ -1,3 +1,4 @@
+using Avalonia;
 using Avalonia.Automation;
 using Avalonia.Controls;
 using Avalonia.Controls.Primitives;
@@ -7,7 +8,7 @@ using Avalonia.Markup.Xaml.MarkupExtensions;
 namespace ErrorMatching.Hmi;
 
 /// <summary>The buttons of a plot, for those who do not zoom with fingers, wheel or keys: two by two, so that a low plot has room for them
-/// and none moves when its height changes.</summary>
+/// and none moves when its height changes. A narrow plot has them in a column, the last one only if it has room.</summary>
 internal static class PlotButtons
 {
     /// <summary>Creates them, in the plot's upper right corner.</summary>
@@ -26,7 +27,18 @@ internal static class PlotButtons
         buttons.Children.AddRange([
             Make("Plot.Nearer", "plus", nearer), Make("Plot.Further", "minus", further), Make("Plot.All", "all", all),
             Make("Plot.Whole", "whole", whole)]);
+        buttons.Children[^1].Classes.Add("whole");
         return buttons;
+    }
+
+    /// <summary>Arranges them for the size of their plot.</summary>
+    public static void Lay(UniformGrid buttons, Size plot)
+    {
+        buttons.Classes.Set("narrow", plot.Width < DrawnSizes.NarrowPlot);
+        buttons.Classes.Remove("short");
+        buttons.Measure(Size.Infinity);
+        buttons.Classes.Set("short", plot.Width < DrawnSizes.NarrowPlot && buttons.DesiredSize.Height > plot.Height);
+        buttons.Measure(Size.Infinity);
     }
 
     /// <summary>Gives them the AutomationIds that belong to their plot's.</summary>

@@ -76,6 +76,9 @@ internal static class DrawnSizes
     /// <summary>Gap between a line and the text along it.</summary>
     public const double Near = 6;
 
+    /// <summary>A plot that is less wide has its buttons in one column.</summary>
+    public const double NarrowPlot = 480;
+
     /// <summary>Horizontal padding of a text's background on each side.</summary>
     public const double VeilBeside = 2;
 

@@ -297,7 +297,7 @@ public sealed class ModelAnnotationTests
         var end = head.IndexOf("ENDSEC;\nEND-ISO", StringComparison.Ordinal);
         var (start, tail) = (head[..end], head[end..]);
         ReadingCost.IsLinear(
-            1 << 18,
+            1 << 17,
             bytes =>
             {
                 try

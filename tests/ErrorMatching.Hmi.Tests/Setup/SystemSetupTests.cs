@@ -1,5 +1,6 @@
 using Avalonia;
 using Avalonia.Controls;
+using Avalonia.Controls.Primitives;
 using Avalonia.Input;
 using Avalonia.VisualTree;
 using ErrorMatching.Cell;
@@ -316,7 +317,7 @@ public sealed class SystemSetupTests
         // Its points and the ends of its moves stand in the drawing, beside the buttons, and fill it one way or the other.
         void MustBeDrawn(int feature)
         {
-            var (mark, buttons) = (picture.Marks[feature], path.GetVisualDescendants().OfType<StackPanel>().First().Bounds.Left);
+            var (mark, buttons) = (picture.Marks[feature], path.GetVisualDescendants().OfType<UniformGrid>().First().Bounds.Left);
             var ends = Enumerable.Range(mark.Ranges[0].First, mark.Ranges[0].Count)
                 .Select(picture.Program.Path.MotionOf)
                 .Where(m => m >= 0)

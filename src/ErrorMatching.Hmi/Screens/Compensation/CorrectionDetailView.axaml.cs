@@ -29,6 +29,7 @@ internal sealed partial class CorrectionDetailView : UserControl
             }
         };
         ProgramList.Loaded += (_, _) => BeginAtFirstChange();
+        ProgramTexts.SizeChanged += (_, _) => LayPath();
         Sides.SelectionChanged += (_, e) => ShowPathIfOpened(e.Source);
         ProgramSide.DataContextChanged += (_, _) => ShowPathIfOpened(Sides);
         ProgramList.PropertyChanged += (_, e) =>
@@ -46,7 +47,6 @@ internal sealed partial class CorrectionDetailView : UserControl
         ArgumentNullException.ThrowIfNull(e);
         base.OnSizeChanged(e);
         Classes.Set("low", e.NewSize.Height < LowHeight);
-        LayPath();
     }
 
     private ProgramLines? Lines => (DataContext as CorrectionDetail)?.Lines;
@@ -123,10 +123,10 @@ internal sealed partial class CorrectionDetailView : UserControl
         LayPath();
     }
 
-    // In a low window, the rows come first.
+    // Where the buttons of the path have no room, the rows have all of it.
     private void LayPath()
     {
-        ProgramPath.IsVisible = ProgramPath.Picture is not null && !Classes.Contains("low");
+        ProgramPath.IsVisible = ProgramPath.Picture is not null && ProgramTexts.Bounds.Height >= (double)this.FindResource("PlotLeast")!;
         Grid.SetColumnSpan(ProgramTexts, ProgramPath.IsVisible ? 1 : 2);
     }
 
