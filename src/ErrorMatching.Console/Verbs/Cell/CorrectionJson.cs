@@ -57,8 +57,8 @@ internal static class CorrectionJson
         json.WriteString("undoSha256", correction.UndoSha256);
         json.WriteString("offset", correction.Offset?.Sentence);
         Write(json, "offsetStatement", correction.Offset);
-        Number(json, "largestMm", correction.LargestMm);
-        Number(json, "sumMm", correction.SumMm);
+        json.WriteNumberOrNull("largestMm", correction.LargestMm);
+        json.WriteNumberOrNull("sumMm", correction.SumMm);
         json.WriteString("code", correction.Code);
         json.WriteString("reason", correction.Reason?.Sentence);
         Write(json, "reasonStatement", correction.Reason);
@@ -95,17 +95,5 @@ internal static class CorrectionJson
         }
 
         json.WriteEndArray();
-    }
-
-    private static void Number(Utf8JsonWriter json, string name, double? value)
-    {
-        if (value is { } number)
-        {
-            json.WriteNumber(name, number);
-        }
-        else
-        {
-            json.WriteNull(name);
-        }
     }
 }

@@ -42,13 +42,7 @@ internal sealed class JobNewFromOutlineAnswer(string file, string theoretical, O
             json.WriteString("name", name);
             json.WriteString("kind", kind.Word);
             json.WriteNumber("points", points);
-            json.WriteStartArray("blocks");
-            foreach (var block in blocks)
-            {
-                json.WriteStringValue(block);
-            }
-
-            json.WriteEndArray();
+            json.WriteTexts("blocks", blocks);
             WriteLimits(json, made.Limits.TryGetValue(name, out var limits) ? limits : null);
             json.WriteEndObject();
         }
@@ -61,13 +55,7 @@ internal sealed class JobNewFromOutlineAnswer(string file, string theoretical, O
         }
 
         json.WriteEndArray();
-        json.WriteStartArray("notes");
-        foreach (var note in made.Notes)
-        {
-            json.WriteStringValue(note);
-        }
-
-        json.WriteEndArray();
+        json.WriteTexts("notes", made.Notes);
     }
 
     public override void WriteText(Page page)
@@ -176,40 +164,17 @@ internal sealed class JobNewFromOutlineAnswer(string file, string theoretical, O
         json.WriteString("entity", tolerance.Entity);
         json.WriteNumber("line", tolerance.Line);
         json.WriteString("kind", tolerance.Kind);
-        WriteNumber(json, "valueMm", tolerance.ValueMm);
-        WriteNumber(json, "valueDeg", tolerance.ValueDegrees);
-        WriteNumber(json, "lower", tolerance.Lower);
-        WriteNumber(json, "upper", tolerance.Upper);
-        WriteNumber(json, "unitMm", tolerance.UnitMm);
-        WriteTexts(json, "datums", tolerance.Datums);
-        WriteTexts(json, "faces", tolerance.Faces);
+        json.WriteNumberOrNull("valueMm", tolerance.ValueMm);
+        json.WriteNumberOrNull("valueDeg", tolerance.ValueDegrees);
+        json.WriteNumberOrNull("lower", tolerance.Lower);
+        json.WriteNumberOrNull("upper", tolerance.Upper);
+        json.WriteNumberOrNull("unitMm", tolerance.UnitMm);
+        json.WriteTexts("datums", tolerance.Datums);
+        json.WriteTexts("faces", tolerance.Faces);
         json.WriteString("became", tolerance.Became);
-        WriteTexts(json, "features", tolerance.Features);
+        json.WriteTexts("features", tolerance.Features);
         json.WriteString("reason", tolerance.Reason);
         json.WriteEndObject();
-    }
-
-    private static void WriteNumber(Utf8JsonWriter json, string key, double? value)
-    {
-        if (value is { } number)
-        {
-            json.WriteNumber(key, number);
-        }
-        else
-        {
-            json.WriteNull(key);
-        }
-    }
-
-    private static void WriteTexts(Utf8JsonWriter json, string key, IReadOnlyList<string> texts)
-    {
-        json.WriteStartArray(key);
-        foreach (var text in texts)
-        {
-            json.WriteStringValue(text);
-        }
-
-        json.WriteEndArray();
     }
 
     private string MirrorWord => made.Frame.Mirror switch { Mirror.X => "x", Mirror.Y => "y", _ => "none" };

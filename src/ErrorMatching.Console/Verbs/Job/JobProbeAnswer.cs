@@ -28,8 +28,8 @@ internal sealed class JobProbeAnswer(ProbedJob probed, IReadOnlyList<string> wri
         json.WriteNumber("clearanceZ", moves.ClearanceZ);
         json.WriteNumber("overtravelMm", moves.OvertravelMm);
         json.WriteNumber("feedMmPerMin", moves.FeedMmPerMin);
-        Texts("assumed", moves.Assumed);
-        Texts("notes", probed.Notes);
+        json.WriteTexts("assumed", moves.Assumed);
+        json.WriteTexts("notes", probed.Notes);
         json.WriteStartArray("points");
         foreach (var (touch, point) in moves.Touches.Zip(probed.Points))
         {
@@ -41,18 +41,7 @@ internal sealed class JobProbeAnswer(ProbedJob probed, IReadOnlyList<string> wri
         }
 
         json.WriteEndArray();
-        Texts("files", written);
-
-        void Texts(string name, IReadOnlyList<string> texts)
-        {
-            json.WriteStartArray(name);
-            foreach (var text in texts)
-            {
-                json.WriteStringValue(text);
-            }
-
-            json.WriteEndArray();
-        }
+        json.WriteTexts("files", written);
     }
 
     public override void WriteText(Page page)

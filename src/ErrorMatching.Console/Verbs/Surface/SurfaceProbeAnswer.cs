@@ -38,13 +38,7 @@ internal sealed class SurfaceProbeAnswer(
         json.WriteString("template", probing.Template.File);
         json.WriteString("plan", probing.Moves.Plan);
         json.WriteString("after", after);
-        json.WriteStartArray("assumed");
-        foreach (var assumed in probing.Moves.Assumed)
-        {
-            json.WriteStringValue(assumed);
-        }
-
-        json.WriteEndArray();
+        json.WriteTexts("assumed", probing.Moves.Assumed);
         json.WriteStartArray("files");
         foreach (var (path, _) in Files(default))
         {
