@@ -87,13 +87,13 @@ public sealed class RecalculateTests
             .Tap("nav-compensation")
             .Tap("correction-3")
             .WaitFor(() => seat.TextOf("detail-title") == "#3 · 0003", "It is not shown.");
-        var (anew, waits) = (seat.See("recalculate").Bounds, seat.See("compensation-waits").Bounds);
+        var (recalculate, waits) = (seat.See("recalculate").Bounds, seat.See("compensation-waits").Bounds);
         Assert.False(seat.See("recalculate").IsEffectivelyEnabled);
 
         // It has room beside what it waits for, before its job is changed and then.
         Change(seat, "-31.95", "-31.951");
         seat.WaitFor(() => seat.See("recalculate").IsEffectivelyEnabled, "It cannot be recalculated.");
-        Assert.Equal((anew, waits), (seat.See("recalculate").Bounds, seat.See("compensation-waits").Bounds));
+        Assert.Equal((recalculate, waits), (seat.See("recalculate").Bounds, seat.See("compensation-waits").Bounds));
         BeClean(seat);
         seat.Tap("correction-1").WaitFor(() => seat.TextOf("detail-title") == "#1 · 0001", "It is not shown.");
         seat.See("release");

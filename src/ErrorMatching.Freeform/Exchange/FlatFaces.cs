@@ -88,7 +88,7 @@ public sealed class FlatFaces
         };
     }
 
-    // Whoever says that the model's unit is wrong says it of tolerances in the same unit, too.
+    // A unit that the user corrects is corrected for the tolerances in it, too.
     private static Func<double, double> Corrected(StepFile step, double? unitMm)
     {
         double? stated = unitMm is null ? null : StepItems.StatedUnit(step);

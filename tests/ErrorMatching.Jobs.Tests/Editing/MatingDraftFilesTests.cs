@@ -72,7 +72,8 @@ public sealed class MatingDraftFilesTests
           "without": ["9"],
           "commonMotionMm": 0.1,
           "features": [
-            { "name": "L1", "kind": "line", "points": ["1", "2"], "method": "ols", "blocks": ["N120"], "toleranceMm": "chain:rss", "toleranceFrom": "Profile.1; #27", "gapMm": 0.02, "base": "correct", "formMm": 0.004, "plane": "ZX" },
+            { "name": "L1", "kind": "line", "points": ["1", "2"], "method": "ols", "blocks": ["N120"], "toleranceMm": "chain:rss",
+              "toleranceFrom": "Profile.1; #27", "gapMm": 0.02, "base": "correct", "formMm": 0.004, "plane": "ZX" },
             { "name": "C1", "kind": "curve", "points": ["3..8"], "degree": "auto", "ridge": 0.50, "blocks": ["/N12, 3/", "N140"], "toleranceMm": [-0.050, 0.05] }
           ],
           "counterpart": {
