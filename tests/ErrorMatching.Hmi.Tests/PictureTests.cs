@@ -1,8 +1,12 @@
+using System.Text;
 using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.VisualTree;
 using ErrorMatching.Cell;
 using ErrorMatching.Geometry;
+using ErrorMatching.Mating;
+using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 
 namespace ErrorMatching.Hmi.Tests;
 
@@ -83,7 +87,7 @@ public sealed class PictureTests
                 Assert.Equal(drawing.Factor * g.First.GapMm, (g.Second - g.Third).Dot(new(g.First.Normal.Y, -g.First.Normal.X)), 1e-6);
             });
         Assert.InRange(drawing.Factor * drawing.LargestMm, 1, 0.1 * (drawing.Extent.Right - drawing.Extent.Left));
-        var worst = detail.Stored.Report.Verdict.WorstBetween!;
+        var worst = MatchVerdictText.Farthest(detail.Stored.Report.Verdict)!;
         Assert.Equal((Lying(worst.Place), MatchVerdictText.At(worst)), drawing.Worst);
         Assert.Contains(Shown.SignedMm(worst.MatingErrorMm, worst.Interval95Mm), drawing.Worst!.Value.Text, StringComparison.Ordinal);
 
@@ -137,6 +141,52 @@ public sealed class PictureTests
         Assert.Null(GapDrawing.AtSeat(piece, null, report.Verdict.Worst));
         Assert.Null(GapDrawing.AtSeat(piece, report.Pair! with { Gaps = [] }, null));
         Assert.Null(GapDrawing.AtSeat(piece, report.Pair, null)!.Worst);
+    }
+
+    // "Worst" is false of a place if another one may be further off.
+    [Fact]
+    public void The_worst_place_is_the_one_of_which_the_most_must_be_feared()
+    {
+        var verdict = SampleReport.Of(j => j).Verdict;
+        var (point, between) = (verdict.Worst! with { MatingErrorMm = -0.02, Interval95Mm = 0.01 }, verdict.WorstBetween!);
+        Assert.Same(point, Farthest(point, between with { MatingErrorMm = 0.01, Interval95Mm = 0.0199 }));
+        var further = between with { MatingErrorMm = 0.01, Interval95Mm = 0.0201 };
+        Assert.Same(further, Farthest(point, further));
+        var unknown = between with { MatingErrorMm = 0, Interval95Mm = null, IsKnown = false };
+        Assert.Same(unknown, Farthest(point, unknown));
+        Assert.Equal($"least known: {unknown.Feature}", MatchVerdictText.At(unknown));
+        Assert.Same(point, Farthest(point, null));
+        Assert.Null(Farthest(null, null));
+
+        ErrorLeft? Farthest(ErrorLeft? worst, ErrorLeft? between) =>
+            MatchVerdictText.Farthest(verdict with { Worst = worst, WorstBetween = between });
+    }
+
+    // A proof that fails is said in the head, although the rest of the proof is among the details.
+    [Fact]
+    public void What_is_not_proved_is_said_first()
+    {
+        var correction = new Correction(
+            1, CorrectionState.Proposed, 1, "cmm", "part-0001.csv", DateTimeOffset.UnixEpoch, new string('0', 64), 1);
+        var report = SampleReport.Of(j => j);
+        Assert.False(new CorrectionDetail(new(correction, [], report, null), TimeProvider.System).IsDisproved);
+        var detail = new CorrectionDetail(
+            new(correction, [], report with { Proof = report.Proof with { Holds = false } }, null), TimeProvider.System);
+        Assert.Equal((true, Severity.Alarm), (detail.IsDisproved, detail.VerdictSeverity));
+        Assert.Equal("The proof of the program does not hold. Do not use it.", detail.Verdict);
+        Assert.Contains(detail.Facts, f => f.Severity == Severity.Alarm && f.Text == detail.Proof);
+    }
+
+    // What is drawn of a program that is understood in part would look like all of it.
+    [Fact]
+    public void A_path_that_ends_where_the_program_is_not_understood_is_not_drawn_as_the_whole()
+    {
+        const string Cut = "G17 G90 G0 X0 Y0 Z5\nG1 Z-1 F100\nG1 X10\n";
+        Assert.NotEmpty(SurfacePath.Of(Encoding.ASCII.GetBytes(Cut + "M30\n"), NcDialects.FanucMill).Passes);
+        Assert.Throws<InputException>(() => SurfacePath.Of(Encoding.ASCII.GetBytes(Cut + "GOTO 99\nM30\n"), NcDialects.FanucMill));
+        Assert.NotNull(
+            OpenedProgram.Read(
+                Encoding.ASCII.GetBytes(Cut + "GOTO 99\nM30\n"), NcDialects.FanucMill, TestContext.Current.CancellationToken).Problem);
     }
 
     private static CorrectionDetail Arrive(Seat seat)

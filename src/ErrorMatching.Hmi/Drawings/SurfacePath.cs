@@ -1,5 +1,6 @@
 using ErrorMatching.Geometry;
 using ErrorMatching.Nc;
+using ErrorMatching.Refusals;
 using ErrorMatching.Reporting;
 
 namespace ErrorMatching.Hmi;
@@ -35,12 +36,20 @@ public sealed class SurfacePath
     /// <summary>Reads the cuts of a program. Slow: do not call it on the UI thread.</summary>
     /// <param name="program">Its bytes.</param>
     /// <param name="dialect">Its dialect.</param>
+    /// <exception cref="InputException">It cannot be interpreted to its end.</exception>
     public static SurfacePath Of(ReadOnlyMemory<byte> program, NcDialect dialect)
     {
         ArgumentNullException.ThrowIfNull(dialect);
         const AxisSet Plane = AxisSet.X | AxisSet.Y;
         var (passes, pass) = (new List<IReadOnlyList<Point2>>(), new List<Point2>());
-        foreach (var motion in NcInterpreter.Run(NcProgram.Read(program, dialect.Syntax), dialect).Motions)
+        var path = NcInterpreter.Run(NcProgram.Read(program, dialect.Syntax), dialect);
+        if (path.Refusal is { } refusal)
+        {
+            // What comes before would look like all of it.
+            throw new InputException(refusal);
+        }
+
+        foreach (var motion in path.Motions)
         {
             if (!motion.IsCut || ((motion.UnknownStart | motion.UnknownEnd) & Plane) != AxisSet.None)
             {

@@ -61,6 +61,18 @@ internal static class MatchVerdictText
         };
     }
 
+    /// <summary>The error of which the most must be feared, at a key point or between them: first one of which nothing is known, then the
+    /// one whose interval reaches farthest from zero; null without key points.</summary>
+    public static ErrorLeft? Farthest(MatchVerdict verdict)
+    {
+        ArgumentNullException.ThrowIfNull(verdict);
+        return (verdict.Worst, verdict.WorstBetween) switch
+        {
+            ({ } worst, { IsKnown: true } between) => worst.BoundMm > between.BoundMm ? worst : between,
+            var (worst, between) => between ?? worst,
+        };
+    }
+
     /// <summary>An error at its place in a picture: the point, or the feature between its points, and the error with its
     /// interval.</summary>
     public static string At(ErrorLeft error)

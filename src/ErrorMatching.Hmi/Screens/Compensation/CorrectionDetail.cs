@@ -30,7 +30,7 @@ internal sealed class CorrectionDetail
             (_piece, _verdict) = (StoredPiece.Predicted(kept.Correction, report), report.Verdict);
             Points = [.. report.KeyPoints.Zip(_piece.Result.Points, Row)];
             (Before, After) = (GapDrawing.Before(_piece), GapDrawing.After(_piece));
-            Seat = GapDrawing.AtSeat(_piece, _verdict.Pair, _verdict.WorstBetween ?? _verdict.Worst) ?? After;
+            Seat = GapDrawing.AtSeat(_piece, _verdict.Pair, MatchVerdictText.Farthest(_verdict)) ?? After;
             Counterparts = [.. report.KeyPoints.Where(p => p.InProgram is not null).Select(Row)];
         }
 

@@ -120,6 +120,7 @@ internal sealed partial class CorrectionDetailView : UserControl
 
         picture?.PropertyChanged += OnPath;
         ProgramPath.Picture = picture;
+        PathMessage.Text = picture?.Message;
         LayPath();
     }
 
@@ -127,6 +128,7 @@ internal sealed partial class CorrectionDetailView : UserControl
     private void LayPath()
     {
         ProgramPath.IsVisible = ProgramPath.Picture is not null && ProgramTexts.Bounds.Height >= (double)this.FindResource("PlotLeast")!;
+        PathMessage.IsVisible = ProgramPath.IsVisible && PathMessage.Text is not null;
         Grid.SetColumnSpan(ProgramTexts, ProgramPath.IsVisible ? 1 : 2);
     }
 

@@ -58,6 +58,9 @@ internal sealed class SurfaceDetail : Observable
     /// <summary>What the machine needs and the program lacks, in words; null if nothing.</summary>
     public string? Missing => Stored.Missing;
 
+    /// <summary>True if a proof of its program fails.</summary>
+    public bool IsDisproved => Figures.ProofSeverity == Severity.Alarm;
+
     /// <summary>Its results and drawings.</summary>
     public SurfaceFigures Figures { get; }
 
@@ -68,7 +71,7 @@ internal sealed class SurfaceDetail : Observable
     public IReadOnlyList<Fact> Facts => [.. new[]
     {
         Figures.IsJudged ? new Fact(Figures.Verdict, Figures.VerdictSeverity) : null,
-        Figures.ProofSeverity == Severity.Alarm ? new(Figures.Proof, Severity.Alarm) : null,
+        IsDisproved ? new(Figures.Proof, Severity.Alarm) : null,
         Stored.Correction.Offset is { } offset ? new(RecordedText.Of(offset, Stored.Correction), Severity.Quiet) : null,
         Largest is { } largest ? new(largest, Severity.Quiet) : null,
         Missing is { } missing ? new(missing, Severity.Attention) : null,

@@ -23,7 +23,6 @@ internal sealed class SurfaceFigures
         Measured = Map(map.BeforeMm, [.. _findings.Samples.Select(s => s.ErrorMm)], "Freeform.AtMeasured");
         Mirror = Map(map.MirrorMm, _findings.Mirror.Errors, "Freeform.AtMirror");
         ToolRadius = Map(map.ToolRadiusMm, _findings.ToolRadius.Errors, "Freeform.AtToolRadius");
-        Solid = new(Measured);
         Plan = new(
             map.Net,
             null,
@@ -71,7 +70,7 @@ internal sealed class SurfaceFigures
     public SurfaceDrawing Measured { get; }
 
     /// <summary>The measured error in space, exaggerated.</summary>
-    public SurfaceSolid Solid { get; }
+    public SurfaceSolid Solid => field ??= new(Measured);
 
     /// <summary>How much it is exaggerated.</summary>
     public string SolidCaption => Texts.Current.With("Freeform.SolidCaption", Shown.Count((long)Solid.Factor));

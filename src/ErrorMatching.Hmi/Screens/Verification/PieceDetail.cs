@@ -27,8 +27,8 @@ internal sealed class PieceDetail : Observable
         Errors = ErrorsOf();
         Trend = TrendOf(series);
         (Before, After) = (GapDrawing.Before(piece), GapDrawing.After(piece));
-        var worst = piece.Verdict?.Worst ?? piece.Match?.Verdict.WorstBetween ?? piece.Match?.Verdict.Worst;
-        Seat = GapDrawing.AtSeat(piece, Pair, worst) ?? After;
+        var predicted = piece is { IsMeasured: false, Match.Verdict: { } verdict } ? MatchVerdictText.Farthest(verdict) : null;
+        Seat = GapDrawing.AtSeat(piece, Pair, piece.Verdict?.Worst ?? predicted) ?? After;
     }
 
     /// <summary>Number and serial number or file.</summary>
