@@ -18,12 +18,10 @@ internal sealed class GapPlot : PlotArea
 
     public static readonly StyledProperty<IBrush?> WorstBrushProperty = AvaloniaProperty.Register<GapPlot, IBrush?>(nameof(WorstBrush));
 
-    public static readonly StyledProperty<string?> CaptionProperty = AvaloniaProperty.Register<GapPlot, string?>(nameof(Caption));
-
     private PlotBox _extent = PlotBox.Empty;
 
     static GapPlot() =>
-        AffectsRender<GapPlot>(PartBrushProperty, CounterpartBrushProperty, GapBrushProperty, WorstBrushProperty, CaptionProperty);
+        AffectsRender<GapPlot>(PartBrushProperty, CounterpartBrushProperty, GapBrushProperty, WorstBrushProperty);
 
     public GapDrawing? Drawing
     {
@@ -59,26 +57,14 @@ internal sealed class GapPlot : PlotArea
         set => SetValue(WorstBrushProperty, value);
     }
 
-    /// <summary>What is said above the drawing; null for nothing.</summary>
-    public string? Caption
-    {
-        get => GetValue(CaptionProperty);
-        set => SetValue(CaptionProperty, value);
-    }
-
     /// <inheritdoc/>
     protected override PlotBox Extent => _extent;
 
     /// <inheritdoc/>
-    protected override Thickness Frame
-    {
-        get
-        {
-            // Names of blocks are wider than those of points.
-            var beside = Drawing?.Contacts.Count > 0 ? DrawnSizes.LegendMark : 0;
-            return new(beside, CaptionText() is { } caption ? caption.Height + (2 * DrawnSizes.Around) : 0, beside, 0);
-        }
-    }
+    protected override Thickness Frame =>
+
+        // Names of blocks are wider than those of points.
+        Drawing?.Contacts.Count > 0 ? new(DrawnSizes.LegendMark, 0) : default;
 
     /// <inheritdoc/>
     protected override int DatumCount => Drawing is { } drawing ? drawing.Points.Count + drawing.Contacts.Count + drawing.Seat.Count : 0;
@@ -94,10 +80,6 @@ internal sealed class GapPlot : PlotArea
             Renew(Drawing is { } drawing
                 ? [.. drawing.Points.Select(p => p.At), .. drawing.Contacts.Select(c => c.At), .. drawing.Seat.Select(s => s.At)]
                 : []);
-        }
-        else if (change.Property == CaptionProperty)
-        {
-            ShowAll();
         }
     }
 
@@ -207,23 +189,6 @@ internal sealed class GapPlot : PlotArea
         {
             Diamond(context, Ground, new Pen(WorstBrush, DrawnSizes.Line), view.At(place), DrawnSizes.Ring);
         }
-
-        if (CaptionText() is { } caption)
-        {
-            Words(context, caption, new Point(DrawnSizes.Around, DrawnSizes.Around));
-        }
-    }
-
-    private FormattedText? CaptionText()
-    {
-        if (string.IsNullOrEmpty(Caption))
-        {
-            return null;
-        }
-
-        var text = Label(Caption);
-        text.MaxTextWidth = Math.Max(1, Free.Width - (2 * DrawnSizes.Around));
-        return text;
     }
 
     /// <inheritdoc/>

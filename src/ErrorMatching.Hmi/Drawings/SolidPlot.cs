@@ -10,8 +10,6 @@ internal sealed class SolidPlot : PlotArea
 {
     public static readonly StyledProperty<SurfaceSolid?> SolidProperty = AvaloniaProperty.Register<SolidPlot, SurfaceSolid?>(nameof(Solid));
 
-    public static readonly StyledProperty<string?> CaptionProperty = AvaloniaProperty.Register<SolidPlot, string?>(nameof(Caption));
-
     public static readonly StyledProperty<IBrush?> MapInkProperty = AvaloniaProperty.Register<SolidPlot, IBrush?>(nameof(MapInk));
 
     // Degrees for each unit of the screen: a drag across a station's screen turns the surface once around.
@@ -20,19 +18,12 @@ internal sealed class SolidPlot : PlotArea
     private SurfaceTurn _turn = SurfaceTurn.Default;
     private Point2[] _points = [];
 
-    static SolidPlot() => AffectsRender<SolidPlot>(CaptionProperty, MapInkProperty);
+    static SolidPlot() => AffectsRender<SolidPlot>(MapInkProperty);
 
     public SurfaceSolid? Solid
     {
         get => GetValue(SolidProperty);
         set => SetValue(SolidProperty, value);
-    }
-
-    /// <summary>What is said above the surface.</summary>
-    public string? Caption
-    {
-        get => GetValue(CaptionProperty);
-        set => SetValue(CaptionProperty, value);
     }
 
     /// <summary>Color of the mesh and the points.</summary>
@@ -117,9 +108,6 @@ internal sealed class SolidPlot : PlotArea
         }
 
         Axes(context);
-        var caption = Label(Caption ?? "");
-        caption.MaxTextWidth = Math.Max(1, Free.Width - (2 * DrawnSizes.Around));
-        Words(context, caption, new Point(DrawnSizes.Around, DrawnSizes.Around));
     }
 
     private void TurnTo(SurfaceTurn turn)

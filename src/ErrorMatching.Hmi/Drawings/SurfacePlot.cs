@@ -31,8 +31,6 @@ internal sealed class SurfacePlot : PlotArea
     public static readonly StyledProperty<Point2?> PlaceProperty = AvaloniaProperty.Register<SurfacePlot, Point2?>(
         nameof(Place), defaultBindingMode: BindingMode.TwoWay);
 
-    public static readonly StyledProperty<string?> CaptionProperty = AvaloniaProperty.Register<SurfacePlot, string?>(nameof(Caption));
-
     // Share of the distance between two points: the surface must stay visible between their dots.
     private const double DotShare = 0.15;
 
@@ -51,8 +49,7 @@ internal sealed class SurfacePlot : PlotArea
         MapPaperProperty,
         PathBrushProperty,
         PathProperty,
-        SectionsProperty,
-        CaptionProperty);
+        SectionsProperty);
 
     public SurfaceDrawing? Drawing
     {
@@ -116,13 +113,6 @@ internal sealed class SurfacePlot : PlotArea
         set => SetValue(PlaceProperty, value);
     }
 
-    /// <summary>What is said above the surface; null for nothing.</summary>
-    public string? Caption
-    {
-        get => GetValue(CaptionProperty);
-        set => SetValue(CaptionProperty, value);
-    }
-
     /// <summary>True once it was drawn. Shapes are created on demand, because most maps are on tabs that are never opened.</summary>
     internal bool HasShapes => _shapes is not null;
 
@@ -139,9 +129,6 @@ internal sealed class SurfacePlot : PlotArea
 
     /// <inheritdoc/>
     protected override int DatumCount => Drawing?.Points.Count ?? 0;
-
-    /// <inheritdoc/>
-    protected override Thickness Frame => CaptionText() is { } caption ? new(0, caption.Height + DrawnSizes.Around, 0, 0) : default;
 
     /// <inheritdoc/>
     protected override void OnPropertyChanged(AvaloniaPropertyChangedEventArgs change)
@@ -162,10 +149,6 @@ internal sealed class SurfacePlot : PlotArea
             (_shapes, _border) = (null, null);
             _nearest = Drawing?.NearestDistance() ?? double.PositiveInfinity;
             Renew([.. Drawing?.Points.Select(p => p.At) ?? []]);
-        }
-        else if (change.Property == CaptionProperty)
-        {
-            ShowAll();
         }
         else if (change.Property == ValuesProperty)
         {
@@ -234,11 +217,6 @@ internal sealed class SurfacePlot : PlotArea
         {
             Diamond(context, MapPaper, new Pen(MapInk, DrawnSizes.Line), view.At(sections.At), DrawnSizes.Ring);
         }
-
-        if (CaptionText() is { } caption)
-        {
-            Words(context, caption, new Point(DrawnSizes.Around, DrawnSizes.Around));
-        }
     }
 
     private void Passes(DrawingContext context, PlotView view)
@@ -288,18 +266,6 @@ internal sealed class SurfacePlot : PlotArea
             var at = end + (way / Math.Max(way.Length, 1) * DrawnSizes.LettersAway);
             Words(context, text, at - new Point(text.Width / 2, text.Height / 2));
         }
-    }
-
-    private FormattedText? CaptionText()
-    {
-        if (string.IsNullOrEmpty(Caption))
-        {
-            return null;
-        }
-
-        var text = Label(Caption);
-        text.MaxTextWidth = Math.Max(1, Free.Width - (2 * DrawnSizes.Around));
-        return text;
     }
 
     /// <summary>Radius of a point's dot, in screen units: small if the points are close together, so as not to hide a small map.</summary>

@@ -19,6 +19,8 @@ public abstract class PlotArea : PlotPaper, IDrawnWords
 {
     public static readonly StyledProperty<double> AroundProperty = AvaloniaProperty.Register<PlotArea, double>(nameof(Around));
 
+    public static readonly StyledProperty<string?> CaptionProperty = AvaloniaProperty.Register<PlotArea, string?>(nameof(Caption));
+
     public static readonly StyledProperty<PlotArea?> TwinProperty = AvaloniaProperty.Register<PlotArea, PlotArea?>(nameof(Twin));
 
     public static readonly DirectProperty<PlotArea, string?> ValuesProperty = AvaloniaProperty.RegisterDirect<PlotArea, string?>(
@@ -39,7 +41,7 @@ public abstract class PlotArea : PlotPaper, IDrawnWords
 
     static PlotArea()
     {
-        AffectsRender<PlotArea>(BoundsProperty);
+        AffectsRender<PlotArea>(BoundsProperty, CaptionProperty);
         FocusableProperty.OverrideDefaultValue<PlotArea>(true);
         ClipToBoundsProperty.OverrideDefaultValue<PlotArea>(true);
     }
@@ -57,6 +59,13 @@ public abstract class PlotArea : PlotPaper, IDrawnWords
     {
         get => GetValue(AroundProperty);
         set => SetValue(AroundProperty, value);
+    }
+
+    /// <summary>What is said above the drawing, in room of its own; null for nothing.</summary>
+    public string? Caption
+    {
+        get => GetValue(CaptionProperty);
+        set => SetValue(CaptionProperty, value);
     }
 
     /// <summary>The plot next to this one that shows the same place, for example before and after; null if there is none.</summary>
@@ -126,8 +135,9 @@ public abstract class PlotArea : PlotPaper, IDrawnWords
     /// <summary>Shows the whole extent.</summary>
     public void ShowAll()
     {
-        // Neither the buttons nor the side labels may hide part of it.
-        _whole = Fitted(Extent, new(Frame.Left, Frame.Top, Frame.Right + ButtonsRoom, Frame.Bottom));
+        // Neither the buttons nor the side labels nor the caption may hide part of it.
+        var above = CaptionText() is { } caption ? caption.Height + (2 * DrawnSizes.Around) : 0;
+        _whole = Fitted(Extent, new(Frame.Left, Frame.Top + above, Frame.Right + ButtonsRoom, Frame.Bottom));
         View = _whole;
     }
 
@@ -179,6 +189,11 @@ public abstract class PlotArea : PlotPaper, IDrawnWords
         Begin();
         Draw(context, View);
         ShowPixels(context);
+        if (CaptionText() is { } caption)
+        {
+            Words(context, caption, new Point(DrawnSizes.Around, DrawnSizes.Around));
+        }
+
         if (_datum is { } datum)
         {
             Crosshair(context, datum);
@@ -274,6 +289,18 @@ public abstract class PlotArea : PlotPaper, IDrawnWords
         Twin?.Reset();
     }
 
+    private FormattedText? CaptionText()
+    {
+        if (string.IsNullOrEmpty(Caption))
+        {
+            return null;
+        }
+
+        var text = Label(Caption);
+        text.MaxTextWidth = Math.Max(1, Free.Width - (2 * DrawnSizes.Around));
+        return text;
+    }
+
     private void FillOrLeave()
     {
         if (FillsScreen)
@@ -310,6 +337,17 @@ public abstract class PlotArea : PlotPaper, IDrawnWords
 
     /// <inheritdoc/>
     protected override AutomationPeer OnCreateAutomationPeer() => new DrawnPeer(this, AutomationControlType.Image, () => Values);
+
+    /// <inheritdoc/>
+    protected override void OnPropertyChanged(AvaloniaPropertyChangedEventArgs change)
+    {
+        ArgumentNullException.ThrowIfNull(change);
+        base.OnPropertyChanged(change);
+        if (change.Property == CaptionProperty)
+        {
+            ShowAll();
+        }
+    }
 
     /// <inheritdoc/>
     protected override void OnSizeChanged(SizeChangedEventArgs e)
