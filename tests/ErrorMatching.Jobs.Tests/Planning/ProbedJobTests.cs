@@ -20,16 +20,17 @@ public sealed partial class ProbedJobTests
 
     private static readonly ProbeWish Stated = new() { StylusDiameterMm = Ball, TouchZ = -5, ClearanceZ = 25, ToolNumber = 9 };
 
-    public static TheoryData<string, string, bool> Cycles { get; } = new()
+    public static TheoryData<string, string> Cycles { get; } = new()
     {
-        { "heidenhain-klartext", "heidenhain-klartext", false },
-        { "heidenhain-klartext", "heidenhain-klartext", true },
-        { "siemens-840d", "siemens-cycle978", false },
-        { "siemens-840d", "siemens-cycle978", true },
-        { "fanuc", "fanuc-p98xx", false },
-        { "fanuc", "fanuc-p98xx", true },
-        { "haas", "haas-p98xx", false },
+        { "heidenhain-klartext", "heidenhain-klartext" },
+        { "siemens-840d", "siemens-cycle978" },
+        { "fanuc", "fanuc-p98xx" },
+        { "haas", "haas-p98xx" },
     };
+
+    // Turned, moves along X in both directions and along Y in both are among them.
+    public static TheoryData<string, string, double> TurnedCycles { get; } = new(
+        from cycle in Cycles from degrees in new[] { 0.0, 90.0, 180.0, 270.0 } select (cycle.Data.Item1, cycle.Data.Item2, degrees));
 
     public static TheoryData<string, string, double> WrongAnswers { get; } = new(
         from cycle in new[]
@@ -70,17 +71,13 @@ public sealed partial class ProbedJobTests
 
     // The control executes the text of the program. Its answers have the digits of the log.
     [Theory]
-    [MemberData(nameof(Cycles))]
-    public void A_cycle_of_the_control_finds_the_part_and_nothing_else_touches_it(string dialect, string template, bool isMirrored)
+    [MemberData(nameof(TurnedCycles))]
+    public void A_cycle_of_the_control_finds_the_part_and_nothing_else_touches_it(string dialect, string template, double degrees)
     {
         using var folder = Copied();
-        if (isMirrored)
-        {
-            Mirror(folder);
-        }
-
+        var frame = Turn(folder, degrees);
         var probed = Probed(folder, Stated with { Dialect = dialect, Template = template });
-        var (control, part, log) = Executed(probed, isMirrored, 0);
+        var (control, part, log) = Executed(probed, frame, 0);
         Assert.Empty(part.Collisions);
         Assert.Equal(28, control.Touches.ByCycle + control.Touches.BySkip);
         Assert.Equal(template == "siemens-cycle978" ? 10 : 28, control.Touches.ByCycle);
@@ -98,7 +95,7 @@ public sealed partial class ProbedJobTests
         using var folder = Copied();
         var probed = Probed(folder, Stated with { Dialect = dialect, Template = template });
         WithBall(folder);
-        File.WriteAllText(folder["probe.log"], Executed(probed, isMirrored: false, radii).Log);
+        File.WriteAllText(folder["probe.log"], Executed(probed, RigidTransform2.Identity, radii).Log);
         var run = MatingRun.Run(
             new JobFiles(folder["job.json"]), new() { Part = new(folder["probe.log"]) }, TestContext.Current.CancellationToken);
         Assert.False(run.IsUsable);
@@ -106,9 +103,8 @@ public sealed partial class ProbedJobTests
 
     [Theory]
     [MemberData(nameof(Cycles))]
-    public void What_a_template_takes_for_granted_stops_its_program_before_it_moves(string dialect, string template, bool isMirrored)
+    public void What_a_template_takes_for_granted_stops_its_program_before_it_moves(string dialect, string template)
     {
-        _ = isMirrored;
         using var folder = Copied();
         var probed = Probed(folder, Stated with { Dialect = dialect, Template = template });
         Assert.Equal(probed.Program.Template.Assumes, probed.Program.Moves.Assumed);
@@ -464,10 +460,10 @@ public sealed partial class ProbedJobTests
         folder["counterpart.nc"],
         File.ReadAllText(folder["counterpart.nc"]).Replace("N50 G0 X-92. Y-10.", blocks + "N50 G0 X-92. Y-10.", StringComparison.Ordinal));
 
-    private static (VirtualControl Control, VirtualPart Part, string Log) Executed(ProbedJob probed, bool isMirrored, double offByRadii)
+    private static (VirtualControl Control, VirtualPart Part, string Log) Executed(
+        ProbedJob probed, RigidTransform2 frame, double offByRadii)
     {
-        var material = DovetailGroove.Polygon();
-        var part = new VirtualPart(isMirrored ? [.. material.Select(p => new Point2(-p.X, p.Y))] : material, Ball);
+        var part = new VirtualPart([.. DovetailGroove.Polygon().Select(p => frame.Inverse().Apply(p))], Ball);
         var control = new VirtualControl(part, Ball, TopZ)
         {
             OffByRadii = offByRadii,
@@ -514,6 +510,26 @@ public sealed partial class ProbedJobTests
 
         static string Mirrored(string[] cells) =>
             $"{cells[0]},{(cells[1].StartsWith('-') ? cells[1][1..] : "-" + cells[1])},{cells[2]}";
+    }
+
+    // The part as its own drawing has it, turned against the program.
+    private static RigidTransform2 Turn(TemporaryFolder folder, double degrees)
+    {
+        var frame = new RigidTransform2(Geometry.Mirror.None, Angle.FromDegrees(degrees), Vector2.Zero);
+        File.WriteAllText(
+            folder["job.json"],
+            File.ReadAllText(folder["job.json"]).Replace(
+                "\"rotateDeg\": 0", FormattableString.Invariant($"\"rotateDeg\": {degrees}"), StringComparison.Ordinal));
+        var lines = File.ReadAllLines(folder["theoretical.csv"]);
+        File.WriteAllLines(folder["theoretical.csv"], lines.Select((l, i) => i == 0 ? l : Turned(l.Split(','))));
+        return frame;
+
+        string Turned(string[] cells)
+        {
+            var at = frame.Inverse().Apply(new Point2(
+                double.Parse(cells[1], CultureInfo.InvariantCulture), double.Parse(cells[2], CultureInfo.InvariantCulture)));
+            return string.Create(CultureInfo.InvariantCulture, $"{cells[0]},{at.X:0.000000},{at.Y:0.000000}");
+        }
     }
 
     private static void WithBall(TemporaryFolder folder) => File.WriteAllText(
