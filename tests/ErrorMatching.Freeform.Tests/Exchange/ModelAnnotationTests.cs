@@ -174,7 +174,12 @@ public sealed class ModelAnnotationTests
             #206=SHAPE_ASPECT('','',#199,.T.);
             #207=GEOMETRIC_ITEM_SPECIFIC_USAGE('','',#206,#10,#130);
             #208=SHAPE_ASPECT_RELATIONSHIP('','',#203,#165);
+            #209=SHAPE_ASPECT('','',#199,.T.);
+            #210=GEOMETRIC_ITEM_SPECIFIC_USAGE('','',#209,#10,#131);
+            #211=SHAPE_ASPECT_RELATIONSHIP('','',#165,#209);
             """);
+
+        // Nothing of a datum, whatever it is related to.
         Assert.Equal([100], found.Faces);
         Assert.Equal(["#130 EDGE_CURVE"], found.Others);
         var whole = One("#200=SURFACE_PROFILE_TOLERANCE('','',#162,#199);");
@@ -239,6 +244,19 @@ public sealed class ModelAnnotationTests
         Assert.Single(Read(Item.Replace("#204=AXIS2_PLACEMENT_3D('',#112", "#204=AXIS2_PLACEMENT_3D('',#111", StringComparison.Ordinal)
             + "#202=AXIS2_PLACEMENT_3D('',#111,$,$);").Faces);
         Assert.Equal("assembly", Assert.Throws<InputException>(() => Read(Item + "#202=AXIS2_PLACEMENT_3D('',#111,$,$);")).Code);
+    }
+
+    [Theory]
+    [InlineData("PLANE", true, 0, 0, 1)]
+    [InlineData("PLANE", false, 0, 0, -1)]
+    [InlineData("CYLINDRICAL_SURFACE", true, 3, 4, 0)]
+    [InlineData("CYLINDRICAL_SURFACE", false, -3, -4, 0)]
+    public void The_side_of_the_material_is_that_of_the_face_not_of_its_surface(
+        string surface, bool isAlong, double x, double y, double z)
+    {
+        var face = new WallFace(1, surface) { Axis = new(0, 0, 1), Origin = new(1, 1, 1), IsOfSolid = true, IsAlongSurface = isAlong };
+        Assert.Equal(new Geometry.Vector3(x, y, z), face.OutwardAt(new(4, 5, 6)));
+        Assert.Null((face with { IsOfSolid = false }).OutwardAt(new(4, 5, 6)));
     }
 
     [Fact]

@@ -39,6 +39,13 @@ internal sealed class StepSample
         return FormattableString.Invariant($"#{_lines.Count + First - 1}");
     }
 
+    /// <summary>Takes a face out of the file: its edges are then those of its neighbors alone.</summary>
+    public void Lose(string face)
+    {
+        var at = _lines.FindIndex(l => l.StartsWith(face + "=ADVANCED_FACE", StringComparison.Ordinal));
+        _lines[at] = $"{face}=DESCRIPTIVE_REPRESENTATION_ITEM('','');";
+    }
+
     public string Point(Point3 p) => Add($"CARTESIAN_POINT('',({Real(p.X)},{Real(p.Y)},{Real(p.Z)}))");
 
     public string Direction(Vector3 v) => Add($"DIRECTION('',({Real(v.X)},{Real(v.Y)},{Real(v.Z)}))");

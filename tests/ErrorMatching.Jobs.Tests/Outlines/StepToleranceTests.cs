@@ -58,6 +58,17 @@ public sealed class StepToleranceTests : IDisposable
         Assert.Contains("no datums", tolerance.Reason, StringComparison.Ordinal);
     }
 
+    // Each section by itself: the surface as a whole may lie worse.
+    [Fact]
+    public void Limits_of_a_line_profile_are_stricter_even_with_datums()
+    {
+        var sample = Plate();
+        var datums = $"GEOMETRIC_TOLERANCE_WITH_DATUM_REFERENCE(({Datums(sample, ["A"])}))";
+        sample.Add($"(GEOMETRIC_TOLERANCE('P','',{Mm(sample, 0.1)},{Of(sample, 0)}){datums}LINE_PROFILE_TOLERANCE())");
+        var tolerance = Assert.Single(Made(sample).Tolerances);
+        Assert.Equal(("line-profile", OutlineTolerance.StricterLimits), (tolerance.Kind, tolerance.Became));
+    }
+
     [Fact]
     public void Of_two_profiles_the_narrower_one_limits_and_both_are_named()
     {
@@ -84,6 +95,16 @@ public sealed class StepToleranceTests : IDisposable
         Profile(sample, "Rest", 0.4, shape, "A");
         var made = Made(sample);
         Assert.Equal([0.2, 0.2, 0.01, 0.01, 0.2, 0.2], Enumerable.Range(1, 6).Select(n => made.Limits[$"L{n}"].Upper));
+    }
+
+    [Fact]
+    public void A_feature_with_a_wider_tolerance_of_its_own_keeps_it_whatever_the_rest_has()
+    {
+        var sample = Plate();
+        Profile(sample, "Own", 0.4, Of(sample, 2), "A");
+        Profile(sample, "Rest", 0.02, sample.Add($"PRODUCT_DEFINITION_SHAPE('','',$)"), "A");
+        var made = Made(sample);
+        Assert.Equal([0.01, 0.01, 0.2, 0.01, 0.01, 0.01], Enumerable.Range(1, 6).Select(n => made.Limits[$"L{n}"].Upper));
     }
 
     [Fact]
@@ -165,6 +186,16 @@ public sealed class StepToleranceTests : IDisposable
         Size(sample, "radius", 20.01, -0.02, 0.02, Of(sample, 0));
         var made = Made(sample, Boss, 6);
         Assert.Equal((-0.01, 0.03), (made.Limits["B1"].Lower, made.Limits["B1"].Upper));
+    }
+
+    [Theory]
+    [InlineData(41)]
+    [InlineData(39)]
+    public void A_size_that_the_drawn_circle_does_not_have_is_asked(double nominal)
+    {
+        var sample = Disc();
+        Size(sample, "diameter", nominal, -0.02, 0.02, Of(sample, 0));
+        AssertAsked(Made(sample, Boss, 6), "drawn with a radius of 20 mm, which is not within its limits");
     }
 
     // Two circles 0.05 mm apart: whatever the form, the center is within 0.05 mm, in a zone of diameter 0.1 mm.
@@ -250,6 +281,12 @@ public sealed class StepToleranceTests : IDisposable
         var part = new StepSample().Plate([Polygon(cut)], -10, 0);
         Profile(part, "P", 0.2, Of(part, 0));
         AssertAsked(Made(part), "of a part of L1 only");
+
+        // What the file does not have of a feature, no tolerance can cover.
+        var open = new StepSample().Plate([Polygon(cut)], -10, 0);
+        open.Lose(open.Faces[1]);
+        Profile(open, "P", 0.2, Of(open, 0));
+        AssertAsked(Made(open), "not all faces there are known");
 
         // A draft of one degree: the plane of the first side is another one.
         var slope = new StepSample { Slope = 0.0175 }.Plate([Polygon(OutlineJobTests.Outline)], -10, 0);

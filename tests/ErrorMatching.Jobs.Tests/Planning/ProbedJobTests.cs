@@ -401,6 +401,14 @@ public sealed partial class ProbedJobTests
         Assert.Equal(8, Path(probed).Motions.Count(m => m.Kind == MotionKind.Probe));
         Assert.Equal(8, Probed(folder, wish with { OfCounterpart = true, TouchZ = -3 }).Points.Count);
         Assert.Null(Probed(folder, wish with { Dialect = "fanuc" }).Program.Beside);
+
+        // After the touch the ball goes back to where it came from, and no farther: behind it may be another wall.
+        string[] lines = Encoding.UTF8.GetString(probed.Program.Bytes.Span).Split('\n');
+        var approach = lines.Single(l => l.StartsWith("; approach ", StringComparison.Ordinal)).Split(' ')[2];
+        Assert.Equal(
+            8,
+            lines.Count(l => l.StartsWith("TCH PROBE 3.3 DIST +", StringComparison.Ordinal)
+                && l.Split(' ').Contains("MB" + approach, StringComparer.Ordinal)));
     }
 
     [Fact]
