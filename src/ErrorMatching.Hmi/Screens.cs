@@ -15,9 +15,7 @@ public static class Screens
         new(ScreenKeys.Verification, shell => new VerificationViewModel(shell)),
         new(ScreenKeys.Freeform, shell => new FreeformViewModel(shell)),
         new(ScreenKeys.History, shell => new HistoryViewModel(shell)),
-        new(
-            ScreenKeys.Messages,
-            shell => new MessagesViewModel(shell.Station, shell.Look, shell.LookAtPiece, () => shell.Go(ScreenKeys.Compensation))),
+        new(ScreenKeys.Messages, shell => new MessagesViewModel(shell)),
         new(ScreenKeys.Settings, shell => new SettingsViewModel(shell)),
     ];
 

@@ -37,6 +37,7 @@ public sealed class CellExampleTests : IDisposable
             Drop("part-0001.csv", "-32.067");
             await Until(1, "proposed");
             Example("cell status");
+            Example("cell alarms");
             Example("cell approve");
             await Until(1, "verified");
             Example("cell release");

@@ -23,7 +23,7 @@ public sealed partial class CodeTextTests
         "conditional-stop", "delta-nc300", "siemens-840d",
         "heidenhain-klartext",
         "fanuc-p98xx",
-        "answers-again", "held-again", "no-answer",
+        "answers-again", "held-again", "no-answer", "alarm-acknowledged", "alarm-shelved", "alarm-unshelved",
     ];
 
     [Fact]

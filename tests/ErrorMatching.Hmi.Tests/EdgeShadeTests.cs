@@ -42,7 +42,7 @@ public sealed class EdgeShadeTests
     [Fact]
     public Task Every_bar_is_seen_as_long_as_there_is_more_and_rows_keep_their_width_under_it() => Seat.AtAsync(seat =>
     {
-        seat.SignIn(DemoCell.Setter).Tap("nav-messages");
+        seat.SignIn(DemoCell.Setter).Tap("nav-messages").Tap("tab-trail");
         var screen = (MessagesViewModel)seat.Shell.Current!;
         seat.WaitFor(() => screen.Entries.Count > 0, "The trail stays empty.");
         var list = (ListBox)seat.See("audit");

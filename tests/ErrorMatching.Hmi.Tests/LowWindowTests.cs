@@ -73,10 +73,16 @@ public sealed class LowWindowTests
 
             foreach (var (screen, id) in new[]
             {
-                (ScreenKeys.Verification, "pair"), (ScreenKeys.History, "found-1"), (ScreenKeys.Messages, "audit")
+                (ScreenKeys.Verification, "pair"), (ScreenKeys.History, "found-1"), (ScreenKeys.Messages, "message-2"),
+                (ScreenKeys.Messages, "audit")
             })
             {
                 seat.Shell.Go(screen);
+                if (id == "audit")
+                {
+                    seat.Tap("tab-trail");
+                }
+
                 seat.See(id);
                 Look(screen);
             }

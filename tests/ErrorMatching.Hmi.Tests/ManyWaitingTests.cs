@@ -84,7 +84,7 @@ public sealed class ManyWaitingTests
                 if (screen.Key is ScreenKeys.Overview or ScreenKeys.Messages)
                 {
                     // What is not listed is counted, and leads to where all of it is.
-                    seat.Tap(screen.Key == ScreenKeys.Overview ? "overview-more" : "messages-more");
+                    seat.Tap(screen.Key == ScreenKeys.Overview ? "overview-more" : "message-proposed");
                     seat.WaitFor(
                         () => seat.Shell.Chosen!.Screen.Key == ScreenKeys.Compensation, "What is left out leads nowhere.");
                 }

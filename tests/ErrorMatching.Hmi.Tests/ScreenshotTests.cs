@@ -53,8 +53,9 @@ public sealed class ScreenshotTests
         seat.Shell.Go(ScreenKeys.Messages);
         seat.WaitFor(() => ((MessagesViewModel)seat.Shell.Current!).Entries.Count > 0, "The trail stays empty.");
         pictures.Take("messages");
-        seat.Tap("audit-verify").WaitFor(() => seat.Find("audit-finding") is { IsEffectivelyVisible: true }, "The trail is not verified.");
-        pictures.Take("messages-verified", isPictured: false);
+        seat.Tap("tab-trail").Tap("audit-verify");
+        seat.WaitFor(() => seat.Find("audit-finding") is { IsEffectivelyVisible: true }, "The trail is not verified.");
+        pictures.Take("messages-trail");
 
         new CorrectionDecisions(seat.Station.Store).Reject(2, DemoCell.Setter, "A chip lay under the stylus.");
         seat.Shell.Go(ScreenKeys.Overview);

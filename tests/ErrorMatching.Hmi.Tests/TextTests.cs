@@ -107,6 +107,8 @@ public sealed partial class TextTests
             .. typeof(DecisionException).GetFields().Where(f => f.IsLiteral).Select(f => "Decision." + f.GetRawConstantValue()),
             .. typeof(NcRefusalCodes).GetFields().Concat(typeof(NcInputCodes).GetFields())
                 .Select(f => "Meaning." + f.GetRawConstantValue()),
+            .. Names<AlarmPriority>(), .. Names<AlarmFilter>(), "Act.Acknowledge", "Act.Shelve",
+            .. AlarmBook.Words.Select(w => "Audited." + w),
             .. Enum.GetNames<CorrectionState>().Select(s => "Audited." + s.ToLowerInvariant()),
             .. Recorded.All.Select(f => "Recorded." + f.Name), .. WarningForms.All.Select(f => "Warning." + f.Name),
             .. RefusalForms.All.Select(f => "Refusal." + f.Name),

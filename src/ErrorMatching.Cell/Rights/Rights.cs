@@ -6,6 +6,8 @@ public static class Rights
     private static readonly Dictionary<Act, (Role Least, bool IsSigned)> Table = new()
     {
         [Act.See] = (Role.Operator, false),
+        [Act.Acknowledge] = (Role.Operator, false),
+        [Act.Shelve] = (Role.Setter, false),
         [Act.Release] = (Role.Operator, false),
         [Act.Reject] = (Role.Operator, false),
         [Act.Approve] = (Role.Setter, true),
@@ -38,10 +40,10 @@ public static class Rights
 /// <summary>A user's role. Each role includes the rights of those before it.</summary>
 public enum Role
 {
-    /// <summary>Sees, releases and rejects.</summary>
+    /// <summary>Sees, acknowledges, releases and rejects.</summary>
     Operator,
 
-    /// <summary>Approves, reverts and edits jobs.</summary>
+    /// <summary>Approves, reverts, edits jobs and shelves alarms.</summary>
     Setter,
 
     /// <summary>Manages users, machines and policy.</summary>
@@ -53,6 +55,12 @@ public enum Act
 {
     /// <summary>Viewing corrections, reports and the history.</summary>
     See,
+
+    /// <summary>Acknowledging an alarm.</summary>
+    Acknowledge,
+
+    /// <summary>Taking an alarm out of sight for a while, and bringing it back.</summary>
+    Shelve,
 
     /// <summary>Reporting that a piece is cut, which frees its slot.</summary>
     Release,

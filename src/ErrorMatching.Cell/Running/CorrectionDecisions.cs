@@ -144,6 +144,12 @@ public sealed class DecisionException(string code, string message) : Exception(m
     /// <summary>The machine started the program while it was being replaced.</summary>
     public const string StartedMeanwhile = CellCodes.StartedMeanwhile;
 
+    /// <summary>There is no such alarm now.</summary>
+    public const string UnknownAlarm = "unknown-alarm";
+
+    /// <summary>An alarm of high priority cannot be shelved.</summary>
+    public const string StaysInSight = "stays-in-sight";
+
     /// <summary>Stable code.</summary>
     public string Code => code;
 }

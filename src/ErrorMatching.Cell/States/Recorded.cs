@@ -435,7 +435,7 @@ public static class Recorded
         SlotNotHeld, SlotDiffers, UserUnrecorded, RoleDiffers, DisabledDiffers, UserDiffers, UserMissing, RowMissing, RowUnreadable,
         ContentDiffers, ContentMissing, StepDiffers, StepUnrecorded, FormDiffers, FormUnknown, FormLacks, FormOther, TrailBroken,
         Correction, Slot, BackupBroughtBack, Started, PoliciesOfCell, PoliciesOfJob, Stopped,
-        .. RecordedOffset.All, .. RecordedThinning.All, .. RecordedCheckpoint.All,
+        .. RecordedAlarm.All, .. RecordedOffset.All, .. RecordedThinning.All, .. RecordedCheckpoint.All,
     ];
 
     private static readonly FrozenDictionary<string, SentenceForm> Known =
@@ -446,6 +446,25 @@ public static class Recorded
 
     /// <summary>Reads a text of the store. What earlier versions wrote in English is words.</summary>
     internal static Statement Read(string text) => Statement.Read(text, Known);
+}
+
+/// <summary>The forms of what people did about alarms.</summary>
+public static class RecordedAlarm
+{
+    /// <summary>The subject of such an entry: the alarm's key.</summary>
+    public static SentenceForm Alarm { get; } = new("alarm", "alarm \"{0}\"");
+
+    /// <summary>The basis of acknowledging: since when the alarm lasted.</summary>
+    public static SentenceForm SinceUtc { get; } = new("alarm-since", "it had lasted since {0:yyyy-MM-dd HH:mm:ss} UTC");
+
+    /// <summary>The basis of acknowledging an alarm that does not say since when it lasted.</summary>
+    public static SentenceForm SinceUnknown { get; } = new("alarm-since-unknown", "since when it had lasted is not known");
+
+    /// <summary>The basis of shelving: until when.</summary>
+    public static SentenceForm UntilUtc { get; } = new("alarm-until", "until {0:yyyy-MM-dd HH:mm:ss} UTC");
+
+    /// <summary>All forms.</summary>
+    public static IReadOnlyList<SentenceForm> All { get; } = [Alarm, SinceUtc, SinceUnknown, UntilUtc];
 }
 
 /// <summary>The forms of what the cell states about archives.</summary>

@@ -234,6 +234,14 @@ public sealed class CellStore : IDisposable
     public IReadOnlyList<AuditEntry> AuditEntries(long after, int most) =>
         Read(AuditRow.Select + " WHERE seq > @after ORDER BY seq LIMIT @most", AuditRow.Read, [("after", after), ("most", most)]);
 
+    /// <summary>Searches the audit trail.</summary>
+    /// <returns>The latest matches, last entry first.</returns>
+    public IReadOnlyList<AuditEntry> SearchTrail(TrailQuery query)
+    {
+        ArgumentNullException.ThrowIfNull(query);
+        return TrailSearch.Find(Database, query);
+    }
+
     /// <summary>The end of the audit trail.</summary>
     public AuditHead AuditHead()
     {

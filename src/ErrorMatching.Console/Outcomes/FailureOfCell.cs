@@ -14,7 +14,9 @@ internal static class FailureOfCell
 
     /// <summary>A decision that cannot be carried out. An unknown number is wrong input; everything else is a refusal.</summary>
     public static Failure Decision(DecisionException e) =>
-        new(e.Code == DecisionException.UnknownCorrection ? ExitCode.WrongInput : ExitCode.Refused, new Refusal(e.Code, e.Message));
+        new(
+            e.Code is DecisionException.UnknownCorrection or DecisionException.UnknownAlarm ? ExitCode.WrongInput : ExitCode.Refused,
+            new Refusal(e.Code, e.Message));
 
     /// <summary>A failed transfer to or from a machine.</summary>
     public static Failure Machine(TransportException e) => new(ExitCode.Outside, new Refusal(CellCodes.Of(e.Error), e.Message));

@@ -21,4 +21,14 @@ public sealed record StationState(long Version, CellStatus? Status, StoreExcepti
 
     /// <summary>The measured counterparts outside their limits, newest first within each mating.</summary>
     public IReadOnlyList<StoredPiece> Outside { get; init; } = [];
+
+    /// <summary>What people did about alarms, by the alarms' keys.</summary>
+    public IReadOnlyDictionary<string, AlarmMark> Marks { get; init; } = new Dictionary<string, AlarmMark>(StringComparer.Ordinal);
+
+    /// <summary>What people did about an alarm.</summary>
+    public AlarmMark MarkOf(Alarm alarm)
+    {
+        ArgumentNullException.ThrowIfNull(alarm);
+        return Marks.GetValueOrDefault(alarm.Key, AlarmMark.None);
+    }
 }

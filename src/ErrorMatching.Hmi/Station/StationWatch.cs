@@ -10,7 +10,9 @@ internal sealed class StationWatch(Station station)
     private static readonly TimeSpan Every = TimeSpan.FromMilliseconds(250);
     private readonly ChangedJobs _changedJobs = new(station.Settings);
     private readonly MeasuredOutside _measured = new(station.Settings);
+    private readonly AlarmBook _alarms = new(station.Store, station.Clock);
     private IReadOnlyList<StoredPiece> _outside = [];
+    private IReadOnlyDictionary<string, AlarmMark> _marks = new Dictionary<string, AlarmMark>(StringComparer.Ordinal);
     private IReadOnlyDictionary<(string Machine, string Slot), LastCut> _lastCut = new Dictionary<(string Machine, string Slot), LastCut>();
     private long _seen = -1;
     private CellStatus? _last;
@@ -57,15 +59,24 @@ internal sealed class StationWatch(Station station)
             _ofChangedJob = _changedJobs.Among(
                 station.Store, [.. _last.Proposed, .. _last.Failed, .. _last.Slots.SelectMany(s => s.Approved)]);
             _outside = _measured.Now(station.Store);
+            _marks = _alarms.Read();
             _lastCut = _last.Slots.Select(s => (s.Machine.Name, Slot: s.Slot.Name, Cut: LastCut.Of(station.Settings, station.Store, s)))
                 .Where(s => s.Cut is not null)
                 .ToDictionary(s => (s.Name, s.Slot), s => s.Cut!);
             _seen = count;
-            return new(++_version, _last, null) { OfChangedJob = _ofChangedJob, Outside = _outside, LastCut = _lastCut };
+            return Known(null);
         }
         catch (StoreException e)
         {
-            return new(++_version, _last, e) { OfChangedJob = _ofChangedJob, Outside = _outside, LastCut = _lastCut };
+            return Known(e);
         }
+
+        StationState Known(StoreException? trouble) => new(++_version, _last, trouble)
+        {
+            OfChangedJob = _ofChangedJob,
+            Outside = _outside,
+            LastCut = _lastCut,
+            Marks = _marks,
+        };
     }
 }

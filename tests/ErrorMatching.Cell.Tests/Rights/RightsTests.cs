@@ -2,11 +2,13 @@ namespace ErrorMatching.Cell.Tests;
 
 public sealed class RightsTests
 {
-    // Issue and manual: operator (see, release, reject), setter (approve, revert, edit and prepare jobs), administrator (users, machines,
-    // policy).
+    // Issue and manual: operator (see, acknowledge, release, reject), setter (shelve, approve, revert, edit and prepare jobs),
+    // administrator (users, machines, policy).
     private const string Table = """
                        operator setter administrator signed
         See            yes      yes    yes           no
+        Acknowledge    yes      yes    yes           no
+        Shelve         no       yes    yes           no
         Release        yes      yes    yes           no
         Reject         yes      yes    yes           no
         Approve        no       yes    yes           yes

@@ -4,6 +4,39 @@ namespace ErrorMatching.Cell.Tests;
 public abstract class StoreHistoryTests(StoreKind kind) : StoreTest(kind)
 {
     [Fact]
+    public void The_trail_is_found_by_person_piece_word_and_time_latest_first()
+    {
+        var store = Open();
+        var start = Clock.Now;
+        var first = Release(store, "one", "G1");
+        Clock.Now = start.AddHours(1);
+        var second = Approve(store, "two", "G2");
+        store.Audit("bert", "secret-set", "", "mill");
+        store.Audit("bert_%!", "note", "100 %", "lathe");
+
+        Assert.Equal(store.AuditEntries(0, 100).Reverse().Select(e => e.Seq), Found(new() { Most = 100 }));
+        Assert.Equal([.. Found(new() { Most = 100 }).Take(3)], Found(new() { Most = 3 }));
+        Assert.Equal(["approved", "released", "approved"], Words(new() { Who = "ANN" }));
+        Assert.Equal(["note", "secret-set"], Words(new() { Who = "bert" }));
+        Assert.Equal(["note"], Words(new() { Who = "_%!" }));
+        Assert.Equal(["approved", "approved"], Words(new() { What = ["approved"] }));
+        Assert.Equal(["approved"], Words(new() { What = ["approved"], From = start.AddHours(1) }));
+        Assert.Equal(["approved"], Words(new() { What = ["approved"], To = start.AddHours(1) }));
+        Assert.Equal(["released", "verified", "uploading", "approved", "proposed", "computed", "recognized", "archived"],
+            Words(new() { About = "ONE" }));
+        Assert.Equal(8 + 5, Words(new() { About = "WO-1" }).Length);
+        Assert.Equal(["secret-set"], Words(new() { About = "mill" }));
+        Assert.Equal(["note"], Words(new() { About = "ath", Who = "bert" }));
+        Assert.Equal([], Words(new() { About = "' OR 1 = 1 --" }));
+        Assert.Equal([], Words(new() { What = ["x') OR (1 = 1"] }));
+        Assert.Equal(["note"], Words(new() { After = store.AuditHead().Seq - 1 }));
+        Assert.NotEqual(first.Id, second.Id);
+
+        long[] Found(TrailQuery query) => [.. store.SearchTrail(query).Select(e => e.Seq)];
+        string[] Words(TrailQuery query) => [.. store.SearchTrail(query).Select(e => e.What)];
+    }
+
+    [Fact]
     public void History_is_found_by_each_thing_that_is_known_of_a_correction()
     {
         var store = Open();

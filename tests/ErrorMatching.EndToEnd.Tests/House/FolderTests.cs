@@ -39,7 +39,7 @@ public sealed partial class FolderTests
         [
             "Disk", "Rights", "States", "Reading", "Activity", "Transport", "Events", "Configuration", "Machines", "Trail", "Contents",
             "Database", "Archives", "Replay", "Store", "Publishing", "Arriving", "Computing", "Keys", "Evidence", "People", "Running",
-            "Checking", "Editing",
+            "Alarms", "Checking", "Editing",
         ],
         ["Console"] = ["Output", "Outcomes", "Verbs", ""],
         ["Hmi"] =

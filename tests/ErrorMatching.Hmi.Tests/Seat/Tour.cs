@@ -112,9 +112,11 @@ internal sealed class Tour(Seat seat)
         seat.Tap("history-choose-folder").See("chooser-confirm");
         look("chooser");
         seat.User.Press(Key.Escape);
-        Open(ScreenKeys.Messages, "audit");
+        Open(ScreenKeys.Messages, "alarms-filter");
         seat.WaitFor(() => ((MessagesViewModel)seat.Shell.Current!).Entries.Count > 0, "The trail stays empty.");
         look("messages");
+        seat.Tap("tab-trail").See("audit");
+        look("messages, trail");
     }
 
     private void Settings(Action<string> look)

@@ -1,4 +1,3 @@
-using System.Globalization;
 using System.Runtime.CompilerServices;
 using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
@@ -290,7 +289,8 @@ internal sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
     }
 
     // Null if a date is invalid.
-    private HistoryQuery? Query() => TryDay(From, 0, out var from) && TryDay(To, 1, out var to)
+    private HistoryQuery? Query() => TypedDay.TryRead(From, 0, Station.Clock, out var from)
+        && TypedDay.TryRead(To, 1, Station.Clock, out var to)
         ? new()
         {
             IsLoose = true,
@@ -304,25 +304,6 @@ internal sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
             Most = Most
         }
         : null;
-
-    // Days are in the computer's time zone; the last day is included completely.
-    private bool TryDay(string text, int more, out DateTimeOffset? time)
-    {
-        time = null;
-        if (Given(text) is not { } given)
-        {
-            return true;
-        }
-
-        if (!DateTime.TryParseExact(given, ["yyyy-MM-dd", "yyyy/MM/dd"], CultureInfo.InvariantCulture, DateTimeStyles.None, out var day))
-        {
-            return false;
-        }
-
-        day = day.AddDays(more);
-        time = new DateTimeOffset(day, Station.Clock.LocalTimeZone.GetUtcOffset(day));
-        return true;
-    }
 
     private async Task OpenAsync(long id)
     {

@@ -3,27 +3,33 @@ using Avalonia.Interactivity;
 
 namespace ErrorMatching.Hmi;
 
-/// <summary>Current messages and the audit trail.</summary>
+/// <summary>Alarms, what waits, and the audit trail.</summary>
 internal sealed partial class MessagesView : UserControl
 {
-    // Share of the height for messages, however many: the audit trail needs room as well, and no button above it moves.
-    private const double ShareOfNow = 1.0 / 3;
-
     public MessagesView() => InitializeComponent();
 
-    /// <inheritdoc/>
-    protected override void OnSizeChanged(SizeChangedEventArgs e)
-    {
-        ArgumentNullException.ThrowIfNull(e);
-        base.OnSizeChanged(e);
-        Now.Height = ShareOfNow * e.NewSize.Height;
-    }
+    private void OnMessage(object? sender, RoutedEventArgs e) => With(sender, (screen, message) => screen.Look(message));
 
-    private void OnMessage(object? sender, RoutedEventArgs e)
+    private void OnAcknowledge(object? sender, RoutedEventArgs e) => With(sender, (screen, message) => screen.Acknowledge(message));
+
+    private void OnShelve(object? sender, RoutedEventArgs e) => With(sender, (screen, message) => screen.Offer(message));
+
+    private void OnHalfHour(object? sender, RoutedEventArgs e) =>
+        With(sender, (screen, message) => screen.Shelve(message, TimeSpan.FromMinutes(30)));
+
+    private void OnTwoHours(object? sender, RoutedEventArgs e) =>
+        With(sender, (screen, message) => screen.Shelve(message, TimeSpan.FromHours(2)));
+
+    private void OnShift(object? sender, RoutedEventArgs e) =>
+        With(sender, (screen, message) => screen.Shelve(message, TimeSpan.FromHours(8)));
+
+    private void OnBringBack(object? sender, RoutedEventArgs e) => With(sender, (screen, message) => screen.Unshelve(message));
+
+    private void With(object? sender, Action<MessagesViewModel, MessageRow> act)
     {
-        if ((sender as Control)?.DataContext is MessageRow message && DataContext is MessagesViewModel messages)
+        if ((sender as Control)?.DataContext is MessageRow message && DataContext is MessagesViewModel screen)
         {
-            messages.Look(message);
+            act(screen, message);
         }
     }
 }
