@@ -9,7 +9,7 @@ namespace ErrorMatching.Hmi.Tests;
 public sealed class DecidingTests
 {
     [Fact]
-    public Task The_oldest_that_waits_is_shown_rows_keep_their_places_and_what_was_approved_stays_to_be_seen() => Seat.AtAsync(seat =>
+    public Task The_oldest_that_waits_is_shown_rows_keep_their_places_and_what_was_approved_is_there_to_be_seen() => Seat.AtAsync(seat =>
     {
         Wait(seat, 1, 2);
         seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("pair");
@@ -20,9 +20,13 @@ public sealed class DecidingTests
             screen.Rows.Select(r => (r.Id, r.Job, r.Largest)));
         var approve = Place(seat, "approve");
         seat.Tap("approve").Type("signing-password", DemoCell.Password).Tap("signing-confirm");
+        seat.WaitFor(() => seat.TextOf("detail-title") == "#2 · 0002", "The next one does not open.");
+        Assert.Equal("#1 · 0001 is approved. This is the next one.", seat.TextOf("compensation-decided"));
+        seat.Tap("correction-1");
         seat.WaitFor(
             () => seat.TextOf("detail-state") == "At the machine" && screen.Rows.First(r => r.Id == 1).State == "At the machine",
             "The screen does not follow.");
+        Assert.Null(seat.Find("compensation-decided"));
         Assert.Equal("Is at vmc1/A as counterpart.nc", seat.TextOf("detail-target"));
         Assert.Equal([1L, 2L], screen.Rows.Select(r => r.Id));
 
@@ -77,9 +81,38 @@ public sealed class DecidingTests
     });
 
     [Fact]
+    public Task The_next_one_opens_after_a_decision_and_takes_none_for_a_second() => Seat.AtAsync(seat =>
+    {
+        Wait(seat, 1, 2, 3);
+        seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("pair");
+        seat.Tap("correction-2").WaitFor(() => seat.TextOf("detail-title") == "#2 · 0002", "It is not shown.");
+        seat.Clock.Stand();
+        Reject("#3 · 0003");
+        Assert.Equal("#2 · 0002 is rejected. This is the next one.", seat.TextOf("compensation-decided"));
+
+        // A second tap meant for the one before decides nothing.
+        Assert.False(seat.See("reject").IsEffectivelyEnabled);
+        seat.Clock.Advance(Pause.Length);
+        seat.WaitFor(() => seat.See("reject").IsEffectivelyEnabled, "The pause does not end.");
+
+        // Below the last one begins the list again; after the very last one, that one stays.
+        Reject("#1 · 0001");
+        seat.Clock.Advance(Pause.Length);
+        seat.WaitFor(() => seat.See("reject").IsEffectivelyEnabled, "The pause does not end.");
+        Reject("#1 · 0001");
+        seat.WaitFor(() => seat.TextOf("detail-state") == "Rejected", "What becomes of it is not shown.");
+
+        void Reject(string next)
+        {
+            seat.Tap("reject").Type("signing-reason", "chip under the probe").Tap("signing-confirm");
+            seat.WaitFor(() => seat.Shell.Signing is null && seat.TextOf("detail-title") == next, "The next one does not open.");
+        }
+    });
+
+    [Fact]
     public Task Where_nothing_is_left_to_decide_nobody_is_told_to_wait() => Seat.AtAsync(seat =>
     {
-        Wait(seat, 1, 2);
+        Wait(seat, 1);
         seat.SignIn(DemoCell.Setter).Tap("nav-compensation").See("pair");
         seat.Clock.Stand();
         seat.Tap("reject").Type("signing-reason", "chip under the probe").Tap("signing-confirm");

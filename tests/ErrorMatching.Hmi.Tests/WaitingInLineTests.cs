@@ -23,6 +23,7 @@ public sealed class WaitingInLineTests
         Assert.Equal(new Fact(Behind, Severity.Attention), seat.Shell.Signing!.Facts[0]);
         Assert.Equal("It is sent when those ahead of it are decided and the slot is free.", seat.TextOf("signing-consequence"));
         seat.Type("signing-password", DemoCell.Password).Tap("signing-confirm");
+        seat.WaitFor(() => seat.TextOf("detail-title") == "#1 · 0001", "The next one does not open.").Tap("correction-3");
         seat.WaitFor(() => seat.TextOf("detail-state") == "Approved", "It is not approved.").See("compensation-waits");
         BothLanguages.Take(seat, "compensation-waits");
         Assert.Equal(Severity.Attention, ((CompensationViewModel)seat.Shell.Current!).Chosen!.Severity);

@@ -79,6 +79,13 @@ public static class Shown
         return TimeZoneInfo.ConvertTime(time, clock.LocalTimeZone).ToString(Texts.Current["Format.Time"], CultureInfo.InvariantCulture);
     }
 
+    /// <summary>A time of day in the computer's time zone, to the minute.</summary>
+    public static string TimeOfDay(DateTimeOffset time, TimeProvider clock)
+    {
+        ArgumentNullException.ThrowIfNull(clock);
+        return TimeZoneInfo.ConvertTime(time, clock.LocalTimeZone).ToString("HH:mm", CultureInfo.InvariantCulture);
+    }
+
     private static string Within(double? interval95Mm) => interval95Mm is { } half ? Between + Mm(half) : "";
 
     // A value that rounds to zero has no sign.

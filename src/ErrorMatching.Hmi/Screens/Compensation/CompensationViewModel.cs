@@ -18,6 +18,7 @@ internal sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     private string _filter = "";
     private int _all;
     private Correction[] _rejectable = [];
+    private (Act Act, string Title)? _decided;
 
     public CompensationViewModel(ShellViewModel shell)
         : base((shell ?? throw new ArgumentNullException(nameof(shell))).Station)
@@ -174,6 +175,9 @@ internal sealed class CompensationViewModel : ScreenViewModel, ILooksAt
             or CorrectionState.Failed or CorrectionState.Reverted => Texts.Current["Compensation.Done"],
     };
 
+    /// <summary>What was decided about the correction before this one; null if this one was not opened by that.</summary>
+    public string? Decided => _decided is var (act, title) ? Texts.Current.With("Compensation.Decided." + act, title) : null;
+
     /// <summary>Why the user's last action failed; null if there is no message. It stays until another correction is selected.</summary>
     public string? Undone
     {
@@ -235,9 +239,30 @@ internal sealed class CompensationViewModel : ScreenViewModel, ILooksAt
         () =>
         {
             var detail = Detail!;
-            Sign(kept => DecisionSigning.Of(_shell, act, kept, () => detail.Now().Facts));
+            Sign(kept =>
+            {
+                var signing = DecisionSigning.Of(_shell, act, kept, () => detail.Now().Facts);
+                signing.Signed += () => OpenNext(act, kept.Correction.Id);
+                return signing;
+            });
         },
         () => IsDecidable && DecisionSigning.IsPossible(_shell, act, Detail!.Stored.Correction));
+
+    // The next one down the list that waits for this user's decision, or the first one. It is not what the user tapped, so it takes no
+    // decision for a moment. If none waits, the decided one stays, so that the user sees what becomes of it.
+    private void OpenNext(Act act, long decided)
+    {
+        if (_choice.Next(Rows, decided) is not { } next)
+        {
+            return;
+        }
+
+        _choice.Look(next);
+        (_isExpected, Undone) = (false, null);
+        Choose(next);
+        _decided = (act, Rows.First(r => r.Id == decided).Title);
+        OnPropertyChanged(nameof(Decided));
+    }
 
     private async Task RecalculateAsync()
     {
@@ -378,7 +403,8 @@ internal sealed class CompensationViewModel : ScreenViewModel, ILooksAt
     private void Look(long id)
     {
         _choice.Look(id);
-        (_isExpected, Undone) = (true, null);
+        (_isExpected, Undone, _decided) = (true, null, null);
+        OnPropertyChanged(nameof(Decided));
     }
 
     private void Choose(long? id)

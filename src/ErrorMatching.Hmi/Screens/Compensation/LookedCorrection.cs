@@ -35,6 +35,17 @@ internal sealed class LookedCorrection(ShellViewModel shell)
         return _looked ?? ByItself(rows);
     }
 
+    /// <summary>The next one that waits for this user after a decision: the first one below the decided one, or else from the
+    /// top.</summary>
+    /// <param name="rows">The list.</param>
+    /// <param name="decided">Number of the decided one.</param>
+    /// <returns>Its number; null if no other one waits.</returns>
+    public long? Next(IReadOnlyList<ListedCorrection> rows, long decided)
+    {
+        var at = rows.TakeWhile(r => r.Id != decided).Count();
+        return rows.Skip(at + 1).Concat(rows.Take(at)).FirstOrDefault(r => _waiting.Contains(r.Id))?.Id;
+    }
+
     /// <summary>Remembers which one was selected automatically.</summary>
     public void Remember() => shell.Looked.Shown = _byItself;
 
