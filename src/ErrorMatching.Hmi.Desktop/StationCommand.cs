@@ -41,6 +41,10 @@ internal static class StationCommand
         var chinese = new Option<bool>("--chinese") { Description = "Begin in Traditional Chinese." };
         var dark = new Option<bool>("--dark") { Description = "Begin light on dark." };
         var full = new Option<bool>("--full-screen") { Description = "Fill the screen." };
+        var andon = new Option<bool>("--andon")
+        {
+            Description = "Only the overview, as large as the screen, for a wall: readable from five meters, and nobody signs in."
+        };
         var scale = new Option<int?>("--scale")
         {
             Description = "Size of everything in percent, 100 to 200. Without it, as large as the monitor's size asks for; on Windows in "
@@ -54,7 +58,7 @@ internal static class StationCommand
                 result.AddError(string.Create(CultureInfo.InvariantCulture, $"--scale is out of range; expected {Least} to {Most}."));
             }
         });
-        var command = new RootCommand("The operator station of ErrorMatching.") { config, demo, chinese, dark, full, scale };
+        var command = new RootCommand("The operator station of ErrorMatching.") { config, demo, chinese, dark, full, andon, scale };
         command.SetAction(result => Run(
             result.GetValue(config),
             result.GetValue(demo),
@@ -64,7 +68,10 @@ internal static class StationCommand
                 result.GetValue(full),
 
                 // X11 may have no window manager that could maximize.
-                IsMaximized: OperatingSystem.IsWindows()),
+                IsMaximized: OperatingSystem.IsWindows())
+            {
+                IsAndon = result.GetValue(andon),
+            },
             result.GetValue(scale) / 100.0,
             log));
         return command;

@@ -31,6 +31,13 @@ public sealed partial class App : Application
         {
             // The window is created while opening the station may still be busy creating its cell.
             Texts.Current.Language = Look.Language;
+            if (Look.IsAndon)
+            {
+                OpenAndon(desktop, Open);
+                base.OnFrameworkInitializationCompleted();
+                return;
+            }
+
             var window = new MainWindow { WindowState = Look.State };
             if (!Look.IsFullScreen)
             {
@@ -62,5 +69,19 @@ public sealed partial class App : Application
         }
 
         base.OnFrameworkInitializationCompleted();
+    }
+
+    private void OpenAndon(IClassicDesktopStyleApplicationLifetime desktop, Func<Station> open)
+    {
+        var window = new AndonWindow { IsDark = Look.IsDark, WindowState = Look.State };
+        var station = open();
+        var overview = new OverviewViewModel(station, null, null, null, null);
+        (window.DataContext, window.Title) = (overview, overview.CellName);
+        desktop.MainWindow = window;
+        desktop.Exit += (_, _) =>
+        {
+            overview.Dispose();
+            station.Dispose();
+        };
     }
 }

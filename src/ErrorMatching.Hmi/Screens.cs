@@ -8,7 +8,12 @@ public static class Screens
     [
         new(
             ScreenKeys.Overview,
-            shell => new OverviewViewModel(shell.Station, shell.Look, shell.LookAtPiece, () => shell.Go(ScreenKeys.Compensation))),
+            shell => new OverviewViewModel(
+                shell.Station,
+                shell.Look,
+                shell.LookAtPiece,
+                () => shell.Go(ScreenKeys.Compensation),
+                () => shell.Go(ScreenKeys.Messages))),
         new(ScreenKeys.Points, shell => new PointsViewModel(shell)),
         new(ScreenKeys.System, shell => new SystemViewModel(shell)),
         new(ScreenKeys.Compensation, shell => new CompensationViewModel(shell)),

@@ -34,7 +34,9 @@ public sealed class CellAlarmsTests : IDisposable
         var shelved = Listed("--shelve", "correction 1: failed", "--hours", "0.5", "--user", "Anna")[1];
         Assert.Equal((true, "Anna"), (Is(shelved, "isShelved"), shelved.Text("shelvedBy")));
         Assert.InRange(
-            shelved.GetProperty("shelvedUntil").GetDateTimeOffset() - DateTimeOffset.UtcNow, TimeSpan.FromMinutes(28), TimeSpan.FromMinutes(30));
+            shelved.GetProperty("shelvedUntil").GetDateTimeOffset() - DateTimeOffset.UtcNow,
+            TimeSpan.FromMinutes(28),
+            TimeSpan.FromMinutes(30));
         Assert.False(Is(Listed("--bring-back", "correction 1: failed", "--user", "Anna")[1], "isShelved"));
     }
 

@@ -97,7 +97,7 @@ public sealed class OverviewTests
         Assert.Equal(CorrectionState.Proposed, kept.State);
         Assert.Equal("#1 · 0001", tile.Title);
         Assert.Equal(Shown.Mm(kept.LargestMm) + " mm", tile.Largest);
-        Assert.Equal(Severity.Attention, tile.Severity);
+        Assert.Equal(Severity.Quiet, tile.Severity);
     });
 
     [Fact]

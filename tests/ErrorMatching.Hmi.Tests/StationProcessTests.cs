@@ -37,6 +37,7 @@ public sealed partial class StationProcessTests
     [InlineData("--demo", 1280, 800)]
     [InlineData("--demo --scale 150", 1920, 1200)]
     [InlineData("--demo --full-screen", 640, 480)]
+    [InlineData("--demo --andon", 640, 480)]
     public async Task Its_window_has_the_size_that_was_asked_for_and_ends_in_order(string arguments, int width, int height)
     {
         Drawing.Needed();

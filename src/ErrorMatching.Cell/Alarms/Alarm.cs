@@ -50,8 +50,10 @@ public sealed record Alarm(AlarmKind Kind, string Key, AlarmPriority Priority, D
             // A running cell reports these itself.
             foreach (var tampered in status.Tampered)
             {
-                yield return new(
-                    AlarmKind.Tampered, KeyOf("store: " + tampered.Sentence), AlarmPriority.High, null) { Tampered = tampered };
+                yield return new(AlarmKind.Tampered, KeyOf("store: " + tampered.Sentence), AlarmPriority.High, null)
+                {
+                    Tampered = tampered,
+                };
             }
         }
         else

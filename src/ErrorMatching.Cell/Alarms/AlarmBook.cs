@@ -19,7 +19,7 @@ public sealed class AlarmBook(CellStore store, TimeProvider clock)
     public const string Unshelved = "alarm-unshelved";
 
     private readonly Dictionary<string, AlarmMark> _marks = new(StringComparer.Ordinal);
-    private IReadOnlyDictionary<string, AlarmMark> _read = new Dictionary<string, AlarmMark>(StringComparer.Ordinal);
+    private Dictionary<string, AlarmMark> _read = new(StringComparer.Ordinal);
     private long _seen;
 
     /// <summary>The longest time that an alarm may be shelved.</summary>
@@ -53,7 +53,10 @@ public sealed class AlarmBook(CellStore store, TimeProvider clock)
             }
 
             _seen = head;
-            _read = acts.Count == 0 && _read.Count == _marks.Count ? _read : new Dictionary<string, AlarmMark>(_marks, StringComparer.Ordinal);
+            if (acts.Count > 0 || _read.Count != _marks.Count)
+            {
+                _read = new(_marks, StringComparer.Ordinal);
+            }
         }
 
         return _read;
@@ -69,7 +72,7 @@ public sealed class AlarmBook(CellStore store, TimeProvider clock)
             by,
             Acknowledged,
             alarm.Since is { } since ? RecordedAlarm.SinceUtc.With(since) : RecordedAlarm.SinceUnknown.With(),
-            RecordedAlarm.Alarm.With(alarm.Key));
+            RecordedAlarm.Subject.With(alarm.Key));
     }
 
     /// <summary>Takes an alarm out of sight for a while. It returns by itself. The caller must check the person's rights.</summary>
@@ -89,7 +92,7 @@ public sealed class AlarmBook(CellStore store, TimeProvider clock)
                 $"The alarm \"{alarm.Key}\" has high priority: it stays in sight until its cause is gone. Acknowledge it instead.");
         }
 
-        store.Audit(by, Shelved, RecordedAlarm.UntilUtc.With(clock.GetUtcNow() + time), RecordedAlarm.Alarm.With(alarm.Key));
+        store.Audit(by, Shelved, RecordedAlarm.UntilUtc.With(clock.GetUtcNow() + time), RecordedAlarm.Subject.With(alarm.Key));
     }
 
     /// <summary>Brings a shelved alarm back into sight. The caller must check the person's rights.</summary>
@@ -98,11 +101,11 @@ public sealed class AlarmBook(CellStore store, TimeProvider clock)
     public void Unshelve(Alarm alarm, string by)
     {
         ArgumentNullException.ThrowIfNull(alarm);
-        store.Audit(by, Unshelved, "", RecordedAlarm.Alarm.With(alarm.Key));
+        store.Audit(by, Unshelved, "", RecordedAlarm.Subject.With(alarm.Key));
     }
 
     private static string? KeyOf(AuditEntry entry) =>
-        entry.Subject is { } subject && subject.Is(RecordedAlarm.Alarm) ? subject.Values[0].Words : null;
+        entry.Subject is { } subject && subject.Is(RecordedAlarm.Subject) ? subject.Values[0].Words : null;
 
     // Of two people who acknowledge the same, the first one did.
     private static AlarmMark After(AuditEntry entry, AlarmMark before) => entry.What switch
@@ -135,6 +138,7 @@ public sealed record AlarmMark(
     /// <summary>True if somebody acknowledged this occurrence of the alarm.</summary>
     public bool IsAcknowledged(Alarm alarm) => AcknowledgedBy is not null && Since == alarm?.Since;
 
-    /// <summary>True if the alarm is shelved now. One that must stay in sight is not, whatever was recorded while it mattered less.</summary>
+    /// <summary>True if the alarm is shelved now. One that must stay in sight is not, whatever was recorded while it mattered
+    /// less.</summary>
     public bool IsShelved(Alarm alarm, DateTimeOffset now) => alarm is { MayBeShelved: true } && ShelvedUntil > now;
 }

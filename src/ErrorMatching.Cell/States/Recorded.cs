@@ -452,7 +452,7 @@ public static class Recorded
 public static class RecordedAlarm
 {
     /// <summary>The subject of such an entry: the alarm's key.</summary>
-    public static SentenceForm Alarm { get; } = new("alarm", "alarm \"{0}\"");
+    public static SentenceForm Subject { get; } = new("alarm", "alarm \"{0}\"");
 
     /// <summary>The basis of acknowledging: since when the alarm lasted.</summary>
     public static SentenceForm SinceUtc { get; } = new("alarm-since", "it had lasted since {0:yyyy-MM-dd HH:mm:ss} UTC");
@@ -464,7 +464,7 @@ public static class RecordedAlarm
     public static SentenceForm UntilUtc { get; } = new("alarm-until", "until {0:yyyy-MM-dd HH:mm:ss} UTC");
 
     /// <summary>All forms.</summary>
-    public static IReadOnlyList<SentenceForm> All { get; } = [Alarm, SinceUtc, SinceUnknown, UntilUtc];
+    public static IReadOnlyList<SentenceForm> All { get; } = [Subject, SinceUtc, SinceUnknown, UntilUtc];
 }
 
 /// <summary>The forms of what the cell states about archives.</summary>

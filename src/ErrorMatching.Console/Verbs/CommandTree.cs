@@ -90,8 +90,8 @@ internal static class CommandTree
         "cell" => new Command(word, "Runs beside gauges and machines.")
         {
             new CellCheckVerb(), new CellRun(), new CellStatusVerb(), new CellAlarms(), new CellApprove(), new CellReject(),
-            new CellRecalculate(), new CellRelease(), new CellRevert(), new CellHistory(), new CellShow(), new CellBackup(), new CellRestore(), new CellThin(),
-            new CellSecret(),
+            new CellRecalculate(), new CellRelease(), new CellRevert(), new CellHistory(), new CellShow(), new CellBackup(),
+            new CellRestore(), new CellThin(), new CellSecret(),
         },
         "user" => new Command(word, "Says who may do what at a cell.")
         {

@@ -9,6 +9,10 @@ namespace ErrorMatching.Hmi;
 /// <param name="IsMaximized">True for a window as large as the desktop; full screen has priority.</param>
 public sealed record StationLook(Language Language, bool IsDark, bool IsFullScreen, bool IsMaximized = false)
 {
+    /// <summary>True for the overview alone, for a wall.</summary>
+    public bool IsAndon { get; init; }
+
     /// <summary>The state in which the window opens.</summary>
-    internal WindowState State => IsFullScreen ? WindowState.FullScreen : IsMaximized ? WindowState.Maximized : WindowState.Normal;
+    internal WindowState State =>
+        IsFullScreen || IsAndon ? WindowState.FullScreen : IsMaximized ? WindowState.Maximized : WindowState.Normal;
 }

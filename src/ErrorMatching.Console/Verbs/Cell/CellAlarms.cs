@@ -32,8 +32,8 @@ internal sealed class CellAlarms : SigningVerb
     public CellAlarms()
         : base(
             "alarms",
-            "Lists what is abnormal at a cell, the most urgent first, and who acknowledged or shelved it. Measured counterparts outside their "
-                + "limits are in cell history and at the station.",
+            "Lists what is abnormal at a cell, the most urgent first, and who acknowledged or shelved it. Measured counterparts outside "
+                + "their limits are in cell history and at the station.",
             "errormatch cell alarms samples/cell/cell.json")
     {
         Options.Add(_acknowledge);

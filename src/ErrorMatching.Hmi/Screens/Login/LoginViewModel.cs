@@ -21,7 +21,7 @@ public sealed class LoginViewModel : ScreenViewModel, ITakesCodes
     {
         (_unlock, LastName, _name) = (unlock, lastName, lastName);
         SignIn = new(_ => SignInAsync(), () => Name.Trim().Length > 0 && Password.Length > 0);
-        Live = new OverviewViewModel(station, null, null, null);
+        Live = new OverviewViewModel(station, null, null, null, null);
         Loading = LoadAsync().Watched();
     }
 

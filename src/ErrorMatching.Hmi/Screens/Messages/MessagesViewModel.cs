@@ -252,23 +252,12 @@ internal sealed partial class MessagesViewModel : ScreenViewModel
     // Made only if they are listed.
     private IEnumerable<Func<MessageRow>> Of(CellStatus status)
     {
-        var (now, state) = (Station.Clock.GetUtcNow(), Station.State);
-        (Alarm Alarm, OutsidePieces? Outside, AlarmMark Mark)[] alarms = [
-            .. Alarm.Of(status).Select(a => (a, (OutsidePieces?)null))
-                .Concat(OutsidePieces.Of(Station.Outside).Select(o => (Alarm.OfOutside(o.Newest.Counterpart!), (OutsidePieces?)o)))
-                .Select(a => (a.Item1, a.Item2, state.MarkOf(a.Item1)))
-                .Where(a => _filter switch
-                {
-                    AlarmFilter.Shelved => a.Item3.IsShelved(a.Item1, now),
-                    AlarmFilter.New => !a.Item3.IsShelved(a.Item1, now) && !a.Item3.IsAcknowledged(a.Item1),
-                    _ => !a.Item3.IsShelved(a.Item1, now),
-                })
-                .OrderByDescending(a => a.Item1.Priority)
-                .ThenBy(a => a.Item3.IsAcknowledged(a.Item1))
-                .ThenByDescending(a => a.Item1.Since)];
-        foreach (var (alarm, outside, mark) in alarms)
+        foreach (var alarm in SeenAlarm.Of(Station).Where(a => a.IsShelved == (_filter == AlarmFilter.Shelved)))
         {
-            yield return () => Row(alarm, outside, mark, now);
+            if (_filter != AlarmFilter.New || !alarm.IsAcknowledged)
+            {
+                yield return () => Row(alarm);
+            }
         }
 
         foreach (var waiting in _filter == AlarmFilter.Now ? Waiting(status) : [])
@@ -312,11 +301,11 @@ internal sealed partial class MessagesViewModel : ScreenViewModel
         }
     }
 
-    private MessageRow Row(Alarm alarm, OutsidePieces? outside, AlarmMark mark, DateTimeOffset now)
+    private MessageRow Row(SeenAlarm seen)
     {
-        var texts = Texts.Current;
-        var (severity, what, next, opens) = Words(alarm, outside);
-        var (isKnown, isShelved) = (mark.IsAcknowledged(alarm), mark.IsShelved(alarm, now));
+        var (texts, alarm, mark) = (Texts.Current, seen.Alarm, seen.Mark);
+        var (severity, what, next, opens) = Words(alarm, seen.Outside);
+        var (isKnown, isShelved) = (seen.IsAcknowledged, seen.IsShelved);
         var (acknowledges, shelves) = (May(Act.Acknowledge), May(Act.Shelve));
         return new(severity, what, next, opens)
         {
@@ -372,9 +361,10 @@ internal sealed partial class MessagesViewModel : ScreenViewModel
                 return (Severity.Alarm, RecordedText.Of(alarm.Tampered!), texts["Message.Trouble.Next"], null);
             case AlarmKind.Failed:
                 var failed = alarm.Correction!;
+                var why = failed.Code is { } code ? CodeText.Of(code, failed.Reason) : failed.Reason?.Sentence;
                 return (
                     Severity.Alarm,
-                    $"{CorrectionLabel.Of(failed)} · {(failed.Code is { } code ? CodeText.Of(code, failed.Reason) : failed.Reason?.Sentence)}",
+                    $"{CorrectionLabel.Of(failed)} · {why}",
                     texts[failed.ProgramSha256 is null ? "Message.FailedUncomputed.Next" : "Message.Failed.Next"],
                     failed.Id);
             case AlarmKind.Outside:

@@ -17,9 +17,13 @@ public sealed class OverviewViewModel : ScreenViewModel
     /// <param name="look">Opens a correction; null before sign-in.</param>
     /// <param name="lookAtPiece">Opens the verification of a measured piece; null before sign-in.</param>
     /// <param name="lookAtAll">Opens the list of all corrections; null before sign-in.</param>
-    public OverviewViewModel(Station station, Action<long>? look, Action<long>? lookAtPiece, Action? lookAtAll)
+    /// <param name="lookAtAlarms">Opens the list of alarms; null before sign-in.</param>
+    public OverviewViewModel(
+        Station station, Action<long>? look, Action<long>? lookAtPiece, Action? lookAtAll, Action? lookAtAlarms)
         : base(station)
     {
+        LookAtApprovals = new(() => lookAtAll?.Invoke(), () => lookAtAll is not null);
+        LookAtAlarms = new(() => lookAtAlarms?.Invoke(), () => lookAtAlarms is not null);
         (_look, _lookAtPiece) = (look, lookAtPiece);
         LookAtAll = new(() => lookAtAll?.Invoke(), () => lookAtAll is not null && _elsewhere > 0);
         Refresh();
@@ -38,6 +42,36 @@ public sealed class OverviewViewModel : ScreenViewModel
 
     /// <summary>Opens the list of all corrections.</summary>
     public Command LookAtAll { get; }
+
+    /// <summary>Opens the list of all corrections at the ones to approve.</summary>
+    public Command LookAtApprovals { get; }
+
+    /// <summary>Opens the list of alarms.</summary>
+    public Command LookAtAlarms { get; }
+
+    /// <summary>The name of the cell.</summary>
+    public string CellName => Station.Settings.Name;
+
+    /// <summary>The time of day.</summary>
+    public string TimeOfDay { get; private set; } = "";
+
+    /// <summary>How many alarms there are but for shelved ones, and how many of them nobody has acknowledged; null for none.</summary>
+    public string? Alarms { get; private set; }
+
+    /// <summary>The number of those alarms.</summary>
+    public int AlarmCount { get; private set; }
+
+    /// <summary>Alarm if one of them has more than low priority.</summary>
+    public Severity AlarmSeverity { get; private set; }
+
+    /// <summary>How many corrections need approval, in words; null for none.</summary>
+    public string? Approvals { get; private set; }
+
+    /// <summary>The number of corrections that need approval.</summary>
+    public long ApprovalCount { get; private set; }
+
+    /// <summary>The number of corrections that are calculated or on their way to a machine.</summary>
+    public int OnTheirWayCount { get; private set; }
 
     /// <summary>How many approvals and measured pieces wait; empty if none do, or if <see cref="Summary"/> has the numbers.</summary>
     public string Counts { get; private set; } = "";
@@ -65,6 +99,7 @@ public sealed class OverviewViewModel : ScreenViewModel
 
     private void Refresh()
     {
+        TimeOfDay = Shown.TimeOfDay(Station.Clock.GetUtcNow(), Station.Clock);
         if (Station.State.Status is not { } status)
         {
             (Summary, Severity) = Station.State.StoreTrouble is null
@@ -80,7 +115,7 @@ public sealed class OverviewViewModel : ScreenViewModel
         Func<WaitingTile>[] waiting = [
             .. status.Failed.Select(c => (Func<WaitingTile>)(() => Tile(c, Severity.Alarm))),
             .. OutsidePieces.Of(Station.Outside).Select(p => (Func<WaitingTile>)(() => Tile(p))),
-            .. status.Proposed.Select(c => (Func<WaitingTile>)(() => Tile(c, Severity.Attention))),
+            .. status.Proposed.Select(c => (Func<WaitingTile>)(() => Tile(c, Severity.Quiet))),
             .. status.Slots.SelectMany(s => s.Approved).Select(c => (Func<WaitingTile>)(() => Tile(status, c))),
             .. status.InWork.Select(c => (Func<WaitingTile>)(() => Tile(c, Severity.Quiet)))];
         Waiting.Show([.. waiting.Take(Most).Select(w => w())]);
@@ -93,6 +128,7 @@ public sealed class OverviewViewModel : ScreenViewModel
             .. inWork > 0 ? new[] { texts.With("Overview.MoreInWork", Shown.Count(inWork)) } : [],
         ]);
         LookAtAll.Refresh();
+        Count(status);
         var (failed, proposed) = (status.CountOf(CorrectionState.Failed), status.CountOf(CorrectionState.Proposed));
         string[] counts = [
             .. new[]
@@ -107,11 +143,26 @@ public sealed class OverviewViewModel : ScreenViewModel
             : failed > 0 ? (texts.With("Overview.Failed", Shown.Count(failed)), Severity.Alarm)
             : Troubles(status) is { Count: > 0 } troubles ? (texts.With("Overview.Troubles", Shown.Count(troubles.Count)), Severity.Alarm)
             : Station.Outside is { Count: > 0 } outside ? (texts.With("Overview.Outside", Shown.Count(outside.Count)), Severity.Attention)
-            : proposed > 0 ? (texts.With("Overview.Proposed", Shown.Count(proposed)), Severity.Attention)
+            : proposed > 0 ? (texts.With("Overview.Proposed", Shown.Count(proposed)), Severity.Quiet)
             : Slots.Count(s => s.Severity != Severity.Quiet) is > 0 and var slots
                 ? (texts.With("Overview.SlotsWait", Shown.Count(slots)), Severity.Attention)
             : (texts["Overview.Well"], Severity.Quiet);
         OnPropertyChanged();
+    }
+
+    private void Count(CellStatus status)
+    {
+        var texts = Texts.Current;
+        SeenAlarm[] alarms = [.. SeenAlarm.Of(Station).Where(a => !a.IsShelved)];
+        var unknown = alarms.Count(a => !a.IsAcknowledged);
+        AlarmCount = alarms.Length;
+        AlarmSeverity = alarms is [{ Alarm.Priority: > AlarmPriority.Low }, ..] ? Severity.Alarm
+            : alarms.Length > 0 ? Severity.Attention : Severity.Quiet;
+        Alarms = alarms.Length == 0 ? null
+            : texts.Counted("Overview.Alarms", alarms.Length, Shown.Count(alarms.Length), Shown.Count(unknown));
+        ApprovalCount = status.CountOf(CorrectionState.Proposed);
+        Approvals = CountOf("Overview.Approvals", ApprovalCount);
+        OnTheirWayCount = status.InWork.Count + status.Slots.Sum(s => s.Approved.Count);
     }
 
     private static string? CountOf(string key, long count) =>
@@ -323,6 +374,9 @@ public sealed record WaitingTile(long Id, string Job, string Title, string State
 
     /// <summary>True if its largest displacement is known.</summary>
     public bool HasLargest => Largest.Length > 0;
+
+    /// <summary>Key of its icon: what waits in normal operation is neither well nor wrong.</summary>
+    public string Icon => Severity switch { Severity.Alarm => "Icon.alarm", Severity.Attention => "Icon.attention", _ => "Icon.history" };
 
     /// <summary>Its name for screen readers.</summary>
     public string Name => Job.Length > 0 ? $"{Job} · {Title}" : Title;
