@@ -37,6 +37,37 @@ public sealed class HistoryTests
         Assert.NotNull(seat.Find("found-2"));
     });
 
+    [Fact]
+    public Task What_was_found_says_who_had_a_part_in_it_and_is_exported_as_a_table() => Seat.AtAsync(async seat =>
+    {
+        seat.Cell.Run();
+        seat.Cell.Deliver(1, 0);
+        seat.WaitFor(1, CorrectionState.Proposed);
+        seat.Cell.Deliver(2, 0.02);
+        seat.WaitFor(2, CorrectionState.Proposed);
+        new CorrectionDecisions(seat.Station.Store).Reject(2, DemoCell.Operator, "=chip");
+        seat.SignIn(DemoCell.Setter).Tap("nav-history").See("found-2");
+        var screen = (HistoryViewModel)seat.Shell.Current!;
+        Assert.Equal([DemoCell.Operator, Shown.Nothing], screen.Rows.Select(r => r.People));
+
+        seat.Type("history-serial", "0002").Tap("history-search");
+        seat.WaitFor(() => screen.Rows.Count == 1, "The search does not find less.");
+        var folder = Path.Combine(Path.GetDirectoryName(seat.Cell.Settings.File)!, "handed out");
+        Directory.CreateDirectory(folder);
+        screen.Folder = folder;
+        seat.Tap("history-export-found").Tap("chooser-confirm").See("history-found-exported");
+        await screen.ExportFound.Running;
+        var lines = await File.ReadAllLinesAsync(Assert.Single(Directory.GetFiles(folder, "history-*.csv")), CancellationToken.None);
+        Assert.Equal(2, lines.Length);
+        Assert.StartsWith("\"id\",\"arrived\",\"file\"", lines[0], StringComparison.Ordinal);
+        Assert.StartsWith("\"2\",", lines[1], StringComparison.Ordinal);
+        Assert.Contains($"\"rejected\",", lines[1], StringComparison.Ordinal);
+        Assert.EndsWith($"\"{DemoCell.Operator}\",\"rejected: =chip\"", lines[1], StringComparison.Ordinal);
+
+        seat.Tap("history-clear");
+        seat.WaitFor(() => screen.Rows.Count == 2 && screen.Serial.Length == 0, "The fields are not emptied.");
+    });
+
     // The slot is free again, so the piece is in no list of the screen for compensation any more; its program is still at the machine.
     [Fact]
     public Task A_piece_that_is_cut_is_reverted_from_the_history_as_long_as_its_program_is_there() => Seat.AtAsync(seat =>

@@ -23,6 +23,21 @@ public sealed class CorrectionQueries
             CorrectionRow.ReadStep,
             [("id", id)]);
 
+    /// <summary>The people who took steps of corrections, each once, in the order of their first step.</summary>
+    /// <param name="ids">Numbers of the corrections.</param>
+    /// <returns>Their names by number; a correction that only the cell took further is absent.</returns>
+    public IReadOnlyDictionary<long, IReadOnlyList<string>> PeopleOf(IReadOnlyCollection<long> ids)
+    {
+        ArgumentNullException.ThrowIfNull(ids);
+        return ids.Count == 0 ? new Dictionary<long, IReadOnlyList<string>>() : Read(
+            $"SELECT correction, who, min(id) FROM step WHERE who <> @Cell AND correction IN ({string.Join(',', ids)}) "
+                + "GROUP BY correction, who ORDER BY min(id)",
+            r => (Id: r.GetInt64(0), Who: r.GetString(1)),
+            [("Cell", AuditEntry.ByCell)])
+            .GroupBy(s => s.Id, s => s.Who)
+            .ToDictionary(g => g.Key, g => (IReadOnlyList<string>)[.. g]);
+    }
+
     // A failed one is in line only with a program.
     private static readonly CorrectionState[] InLine = [.. CorrectionSteps.Where(s => s.IsInLine).Except([CorrectionState.Failed])];
 

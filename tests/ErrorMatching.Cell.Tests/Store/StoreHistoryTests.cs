@@ -4,6 +4,33 @@ namespace ErrorMatching.Cell.Tests;
 public abstract class StoreHistoryTests(StoreKind kind) : StoreTest(kind)
 {
     [Fact]
+    public void Who_had_a_part_in_a_correction_is_known_and_written_as_a_table()
+    {
+        var store = Open();
+        var first = Release(store, "one", "G1");
+        var second = store.Archive(Arrival("two", "2")).Correction;
+        second = store.Step(second, CorrectionState.Refused, "cell", "no job", c => c with { Code = "unknown-piece", Reason = "+1" });
+        var third = store.Archive(Arrival("three", "3")).Correction;
+        third = store.Step(Recognize(store, third, "three"), CorrectionState.Rejected, "bert", "no", c => c with { Serial = "=A1" });
+        var people = store.Corrections.PeopleOf([first.Id, second.Id, third.Id]);
+        Assert.Equal([first.Id, third.Id], people.Keys.Order());
+        Assert.Equal(["anna"], people[first.Id]);
+        Assert.Equal(["bert"], people[third.Id]);
+        Assert.Empty(store.Corrections.PeopleOf([]));
+
+        using var csv = new StringWriter();
+        HistoryCsv.Write(csv, [store.Find(first.Id)!, store.Find(second.Id)!, store.Find(third.Id)!], people);
+        var rows = csv.ToString().Split("\r\n");
+        Assert.Equal(5, rows.Length);
+        Assert.Contains("\"released\"", rows[1], StringComparison.Ordinal);
+        Assert.Contains(",\"anna\",\"\"", rows[1], StringComparison.Ordinal);
+        Assert.EndsWith("\"\",\"unknown-piece: +1\"", rows[2], StringComparison.Ordinal);
+
+        // Nothing that a spreadsheet would calculate.
+        Assert.Contains("\"'=A1\"", rows[3], StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void The_trail_is_found_by_person_piece_word_and_time_latest_first()
     {
         var store = Open();

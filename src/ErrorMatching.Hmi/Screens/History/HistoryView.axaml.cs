@@ -59,6 +59,7 @@ internal sealed partial class HistoryView : UserControl
         var isLow = Bounds.Height is > 0 and < LowHeight;
         (More.IsVisible, Fewer.IsVisible) = (isLow && !_isOpen, isLow && _isOpen);
         Fields.Classes.Set("few", isLow && !_isOpen);
+        Acts.IsVisible = !isLow || _isOpen;
     }
 
     private void OnSerialKey(object? sender, KeyEventArgs e)

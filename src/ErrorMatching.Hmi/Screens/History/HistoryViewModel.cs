@@ -1,4 +1,6 @@
+using System.Globalization;
 using System.Runtime.CompilerServices;
+using System.Text;
 using ErrorMatching.Cell;
 using ErrorMatching.Jobs;
 
@@ -22,6 +24,7 @@ internal sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
     private string? _exported;
     private bool _isKnown;
     private IReadOnlyList<Correction> _found = [];
+    private IReadOnlyDictionary<long, IReadOnlyList<string>> _people = new Dictionary<long, IReadOnlyList<string>>();
     private long _all;
 
     /// <summary>Starts with the latest corrections.</summary>
@@ -45,6 +48,21 @@ internal sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
         Export = new(ExportAsync, () => Detail is not null && !string.IsNullOrWhiteSpace(Folder));
         ChooseFolder = new(
             async _ => Folder = await shell.ChooseAsync(new(FileChoiceKind.Folder, "History.Folder", []) { Start = Folder }) ?? Folder);
+        Clear = new(() =>
+        {
+            (Serial, WorkOrder, From, To, Program, UserName, State) = ("", "", "", "", "", "", States[0]);
+            Search.Execute(null);
+        });
+        ExportFound = new(
+            async cancellation =>
+            {
+                if (await shell.ChooseAsync(new(FileChoiceKind.Folder, "History.Folder", []) { Start = Folder }) is { } folder)
+                {
+                    Folder = folder;
+                    await ExportFoundAsync(folder, cancellation);
+                }
+            },
+            () => _found.Count > 0);
         Search.Execute(null);
     }
 
@@ -181,6 +199,15 @@ internal sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
     /// <summary>Searches by the fields.</summary>
     public LongCommand Search { get; }
 
+    /// <summary>Empties all fields, and shows the latest corrections.</summary>
+    public Command Clear { get; }
+
+    /// <summary>Writes what was found and is listed as CSV.</summary>
+    public LongCommand ExportFound { get; }
+
+    /// <summary>Where the list was written; null if it was not.</summary>
+    public string? FoundExported { get; private set; }
+
     /// <summary>Returns to the list.</summary>
     public Command Back { get; }
 
@@ -244,7 +271,8 @@ internal sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
         c.WorkOrder ?? c.JobWorkOrder ?? Shown.Nothing,
         c.Job ?? Shown.Nothing,
         Texts.Current.Word(c.State),
-        c.LargestMm is { } mm ? Shown.Mm(mm) : Shown.Nothing);
+        c.LargestMm is { } mm ? Shown.Mm(mm) : Shown.Nothing,
+        _people.GetValueOrDefault(c.Id) is { } people ? Texts.Current.Listed(people) : Shown.Nothing);
 
     private async Task ScanAsync(string code)
     {
@@ -271,17 +299,21 @@ internal sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
         {
             var sought = query;
             IReadOnlyList<Correction> found = [];
+            IReadOnlyDictionary<long, IReadOnlyList<string>> people = _people;
             var all = 0L;
             if (await TryAsync(() =>
             {
                 found = Station.Store.Search(sought);
+                people = Station.Store.Corrections.PeopleOf([.. found.Select(c => c.Id)]);
                 all = found.Count < sought.Most ? found.Count : Station.Store.Count(sought);
             }))
             {
-                (_isKnown, _all) = (true, all);
+                (_isKnown, _all, _people, FoundExported) = (true, all, people, null);
                 _found = [.. found.OrderByDescending(c => c.Id)];
                 Rows.Show([.. _found.Select(Row)]);
                 OnPropertyChanged(nameof(Found));
+                OnPropertyChanged(nameof(FoundExported));
+                ExportFound.Refresh();
             }
 
             query = Query() is { } now && now != sought ? now : null;
@@ -328,6 +360,25 @@ internal sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
         }
     }
 
+    // A file of its own each time: an earlier list is not replaced.
+    private async Task ExportFoundAsync(string folder, CancellationToken cancellation)
+    {
+        var (found, people) = (_found, _people);
+        var path = Path.Combine(
+            folder,
+            string.Create(CultureInfo.InvariantCulture, $"history-{Station.Clock.GetUtcNow().UtcDateTime:yyyyMMdd'T'HHmmssfff'Z'}.csv"));
+        if (await TryAsync(() =>
+        {
+            using var written = new StringWriter();
+            HistoryCsv.Write(written, found, people);
+            OutputFile.Write(path, Encoding.UTF8.GetBytes(written.ToString()), [Station.Settings.File], cancellation);
+        }))
+        {
+            FoundExported = Texts.Current.With("History.FoundExported", Shown.Count(found.Count), path);
+            OnPropertyChanged(nameof(FoundExported));
+        }
+    }
+
     private async Task ExportAsync(CancellationToken cancellation)
     {
         var (correction, folder) = (Detail!.Stored.Correction, Folder.Trim());
@@ -352,7 +403,9 @@ internal sealed class HistoryViewModel : ScreenViewModel, ILooksAt, ITakesCodes
 /// <param name="Job">The job.</param>
 /// <param name="State">Its state.</param>
 /// <param name="Largest">Its largest displacement.</param>
-internal sealed record HistoryRow(long Id, string Arrived, string Piece, string WorkOrder, string Job, string State, string Largest)
+/// <param name="People">Who took steps of it.</param>
+internal sealed record HistoryRow(
+    long Id, string Arrived, string Piece, string WorkOrder, string Job, string State, string Largest, string People)
 {
     public string Number => "#" + Shown.Id(Id);
 
