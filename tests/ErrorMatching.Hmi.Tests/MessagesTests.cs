@@ -111,9 +111,17 @@ public sealed class MessagesTests
                     && screen.Entries.Any(e => e.What == "arrived"),
                 "It is not found by serial number.");
             seat.Type("audit-about", "").Type("audit-from", "tomorrow").Tap("audit-search");
-            seat.WaitFor(() => seat.Find("messages-message") is not null, "A wrong day is not told.");
-            seat.Type("audit-from", "2199-01-01").Tap("audit-search");
+            seat.See("audit-wrong-day");
+            Assert.NotEmpty(screen.Entries);
+
+            // What is only typed is not searched for.
+            seat.Type("audit-from", "2199-01-01");
+            seat.User.Wait(TimeSpan.FromSeconds(3));
+            Assert.NotEmpty(screen.Entries);
+            Assert.NotNull(seat.Find("audit-wrong-day"));
+            seat.Tap("audit-search");
             seat.WaitFor(() => screen.Entries.Count == 0, "Another day is listed.");
+            Assert.Null(seat.Find("audit-wrong-day"));
 
             static void Choose(Seat seat, AlarmFilter filter)
             {

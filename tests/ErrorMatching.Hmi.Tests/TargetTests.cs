@@ -138,7 +138,7 @@ public sealed class TargetTests
         [
             "setup-notice", "setup-message", "setup-kept", "users-message", "users-problem", "connections-message", "connections-progress",
             "history-message", "history-failed", "history-exported", "messages-message", "alarms-message",
-            "audit-finding", "working", "signing-message",
+            "audit-finding", "audit-wrong-day", "working", "signing-message",
             "login-message", "compensation-message", "compensation-undone", "compensation-next", "forbidden", "freeform-message",
             "verification-message", "chooser-message", "program-message", "detail-changed-job",
         ];

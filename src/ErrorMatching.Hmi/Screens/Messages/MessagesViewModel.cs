@@ -14,6 +14,7 @@ internal sealed partial class MessagesViewModel : ScreenViewModel
     private const int Digits = 8;
     private readonly ShellViewModel _shell;
     private IReadOnlyList<AuditEntry> _entries = [];
+    private TrailQuery _asked = new();
     private TrailQuery _read = new() { Most = 0 };
     private long _newest = -1;
     private bool _isReading;
@@ -26,6 +27,7 @@ internal sealed partial class MessagesViewModel : ScreenViewModel
     private string _from = "";
     private string _to = "";
     private bool _isOnlyAlarms;
+    private bool _isWrongDay;
 
     /// <summary>Creates the screen.</summary>
     /// <param name="shell">The shell.</param>
@@ -46,7 +48,7 @@ internal sealed partial class MessagesViewModel : ScreenViewModel
             }
         });
         More = new(_ => ReadAsync(_entries.Count + Page), () => _entries.Count > 0 && _entries.Count == _read.Most);
-        Search = new(_ => ReadAsync(Page));
+        Search = new(_ => Ask() ? ReadAsync(Page) : Task.CompletedTask);
         Refresh();
     }
 
@@ -131,6 +133,13 @@ internal sealed partial class MessagesViewModel : ScreenViewModel
                 Search.Execute(null);
             }
         }
+    }
+
+    /// <summary>True if the last search was for something else than days. It stays until the next search.</summary>
+    public bool IsWrongDay
+    {
+        get => _isWrongDay;
+        private set => Set(ref _isWrongDay, value);
     }
 
     /// <summary>Searches the trail by the fields.</summary>
@@ -394,15 +403,38 @@ internal sealed partial class MessagesViewModel : ScreenViewModel
         }
     }
 
-    // Reads again if the fields have changed meanwhile.
+    // What is typed counts when it is searched for, not while it is typed. False if a date is invalid.
+    private bool Ask()
+    {
+        if (!TypedDay.TryRead(From, 0, Station.Clock, out var from) || !TypedDay.TryRead(To, 1, Station.Clock, out var to))
+        {
+            IsWrongDay = true;
+            return false;
+        }
+
+        IsWrongDay = false;
+
+        _asked = new()
+        {
+            Who = Given(Who),
+            About = Given(About),
+            From = from,
+            To = to,
+            What = IsOnlyAlarms ? AlarmBook.Words : null,
+        };
+        return true;
+    }
+
+    // Reads again if something else was asked for meanwhile.
     private async Task ReadAsync(int most)
     {
         _isReading = true;
         try
         {
-            for (var query = Query(most); query is not null;)
+            TrailQuery sought;
+            do
             {
-                var sought = query;
+                sought = _asked with { Most = most };
                 IReadOnlyList<AuditEntry>? entries = null;
                 var (newest, known) = (_newest, _read);
                 var head = newest;
@@ -424,34 +456,13 @@ internal sealed partial class MessagesViewModel : ScreenViewModel
                     Entries.Show([.. _entries.Select(Row)]);
                     More.Refresh();
                 }
-
-                query = Query(most) is { } now && now != sought ? now : null;
             }
+            while (sought != _asked with { Most = most });
         }
         finally
         {
             _isReading = false;
         }
-    }
-
-    // Null if a date is invalid.
-    private TrailQuery? Query(int most)
-    {
-        if (!TypedDay.TryRead(From, 0, Station.Clock, out var from) || !TypedDay.TryRead(To, 1, Station.Clock, out var to))
-        {
-            Message = Texts.Current["History.BadDay"];
-            return null;
-        }
-
-        return new()
-        {
-            Who = Given(Who),
-            About = Given(About),
-            From = from,
-            To = to,
-            What = IsOnlyAlarms ? AlarmBook.Words : null,
-            Most = most,
-        };
     }
 
     private static string? Given(string text) => string.IsNullOrWhiteSpace(text) ? null : text.Trim();
