@@ -11,7 +11,14 @@ public abstract class StoreHistoryTests(StoreKind kind) : StoreTest(kind)
         var second = store.Archive(Arrival("two", "2")).Correction;
         second = store.Step(second, CorrectionState.Refused, "cell", "no job", c => c with { Code = "unknown-piece", Reason = "+1" });
         var third = store.Archive(Arrival("three", "3")).Correction;
-        third = store.Step(Recognize(store, third, "three"), CorrectionState.Rejected, "bert", "no", c => c with { Serial = "=A1" });
+        third = store.Step(
+            Recognize(store, third, "=A1"),
+            CorrectionState.Computed,
+            "cell",
+            "computed",
+            c => c with { ProgramSha256 = Hash("G3") },
+            [Bytes("G3")]);
+        third = store.Step(store.Step(third, CorrectionState.Proposed, "cell", "within limits"), CorrectionState.Rejected, "bert", "no");
         var people = store.Corrections.PeopleOf([first.Id, second.Id, third.Id]);
         Assert.Equal([first.Id, third.Id], people.Keys.Order());
         Assert.Equal(["anna"], people[first.Id]);
